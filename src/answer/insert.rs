@@ -1,0 +1,130 @@
+//! Answers of `plan insert`, `plan stable` and `plan cone`.
+
+use super::{Arc, ArcSet, Cone, FingerSet, Interval, Region};
+use crate::exact::{Q, Z};
+
+/// Which wrenches seat the part, and how to apply one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Insertion {
+    /// Wrenches that seat the part from every state, formula (21) of Balkcom & Trinkle for any number of fixels.
+    pub goal: Region,
+    /// Wrenches of `goal` that also hold the seated part still.
+    pub hold: Region,
+    /// Why `goal` is empty, when it is.
+    pub empty_because: Option<EmptyReason>,
+    /// Finger places inside `goal`.
+    pub fingers: FingerSet,
+    /// Tray tilts (directions of gravity in the tray's plane) inside `goal`.
+    pub tilt: ArcSet,
+    /// The push or tilt with the largest margin, when there is one.
+    pub plan: Option<Recommendation>,
+    /// Verdicts on the wrenches that were asked about.
+    pub wrenches: Vec<WrenchVerdict>,
+    /// Cones of the modes that were asked for, in the order asked.
+    pub modes: Vec<(String, Cone)>,
+}
+
+/// How the seated part rests under external wrenches.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stability {
+    /// Wrenches that can be balanced with zero acceleration at the least static friction.
+    pub weak: Cone,
+    /// Whether `weak` is every wrench.
+    pub force_closure: bool,
+    /// Wrenches under which every solution has zero acceleration, formula (19).
+    pub strong: Region,
+    /// Contact modes over `s l r n` with a non-empty cone, sorted.
+    pub feasible_modes: Vec<String>,
+    /// Finger places in the interior of `weak`: a finger there closes the grasp.
+    pub closure_fingers: FingerSet,
+    /// Finger places inside `weak`.
+    pub weak_fingers: FingerSet,
+    /// Finger places inside `strong`.
+    pub strong_fingers: FingerSet,
+    /// Tilts inside `weak`.
+    pub weak_tilt: ArcSet,
+    /// Tilts inside `strong`.
+    pub strong_tilt: ArcSet,
+    /// Verdicts on the wrenches that were asked about.
+    pub wrenches: Vec<WrenchVerdict>,
+    /// Cones of the modes that were asked for, in the order asked.
+    pub modes: Vec<(String, Cone)>,
+}
+
+/// Which sets contain one wrench.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WrenchVerdict {
+    /// The wrench `[fx, fy, torque]`.
+    pub wrench: [Q; 3],
+    /// In the weakly stable cone.
+    pub weak: bool,
+    /// In the strongly stable set.
+    pub strong: bool,
+    /// In the guaranteed-seating set.
+    pub goal: bool,
+    /// Of the modes that were asked for, those whose cone contains the wrench.
+    pub modes: Vec<String>,
+}
+
+/// A push or tilt that seats the part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Recommendation {
+    /// What to do.
+    pub action: Action,
+    /// The wrench it exerts, up to a positive factor.
+    pub wrench: [Q; 3],
+    /// Squared relative margin, a certified lower bound: any disturbance `d` with `|d|² < margin2 · |wrench|²` leaves
+    /// the wrench in the set. Norm: fx² + fy² + torque² / ρ² with ρ the radius of gyration.
+    pub margin2: Q,
+}
+
+/// How a wrench is applied.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Action {
+    /// A frictionless finger pushes on an edge along its inward normal.
+    PushEdge {
+        /// Edge number.
+        edge: usize,
+        /// All places around this one that work too.
+        interval: Interval,
+        /// The place, as a share of the edge.
+        s: Q,
+        /// The place.
+        point: [Q; 2],
+        /// Push direction, the inward normal (any length).
+        direction: [Q; 2],
+    },
+    /// A frictionless finger pushes on a circle towards its center.
+    PushArc {
+        /// All directions around this one that work too; `None` when every direction does.
+        arc: Option<Arc>,
+        /// Direction from the center to the finger.
+        direction: [Z; 2],
+    },
+    /// The tray is tilted: gravity pulls through the center of mass.
+    Tilt {
+        /// All directions around this one that work too; `None` when every direction does.
+        arc: Option<Arc>,
+        /// Direction of the pull in the tray's plane.
+        direction: [Z; 2],
+    },
+    /// Neither finger nor tilt suffices: the wrench itself must be applied (force and torque together).
+    Wrench,
+}
+
+/// Why no wrench is guaranteed to seat the part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum EmptyReason {
+    /// The normals' wrenches are linearly dependent: whatever the wrench, the part can rest with a fixel free.
+    DependentNormals,
+    /// Two fixels can jam the part between them whatever the wrench (frictional force closure of the pair).
+    PairForceClosure {
+        /// The two fixels.
+        fixels: [usize; 2],
+    },
+    /// The listed modes together are consistent with every wrench.
+    BlockingModes {
+        /// Modes, in the notation of the `insert` letters.
+        modes: Vec<String>,
+    },
+}

@@ -1,0 +1,7 @@
+//! What the planners return: data only, exact, ready to be checked and reported.
+
+mod insert;
+mod region;
+
+pub use insert::{Action, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};
+pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};

@@ -1,0 +1,1 @@
+//! Exact polyhedral cones.

@@ -1,0 +1,84 @@
+//! Rows of integers in one allocation.
+
+use super::{Int, Q, Z};
+use num_integer::Integer as _;
+use num_traits::One as _;
+
+/// A list of rows of equal length, stored flat.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Matrix<T> {
+    columns: usize,
+    entries: Vec<T>,
+}
+
+impl<T: Int> Matrix<T> {
+    /// No rows yet.
+    #[must_use]
+    pub fn new(columns: usize) -> Self {
+        Self { columns, entries: Vec::new() }
+    }
+
+    /// The rows that `rows` yields.
+    ///
+    /// # Panics
+    /// If a row does not have `columns` entries.
+    pub fn from_rows<R: AsRef<[T]>>(columns: usize, rows: impl IntoIterator<Item = R>) -> Self {
+        let mut matrix = Self::new(columns);
+        for row in rows {
+            matrix.push(row.as_ref());
+        }
+        matrix
+    }
+
+    /// Entries per row.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.entries.len().checked_div(self.columns).unwrap_or(0)
+    }
+
+    /// Whether there are no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// Row `index`.
+    #[must_use]
+    pub fn row(&self, index: usize) -> &[T] {
+        &self.entries[index * self.columns..(index + 1) * self.columns]
+    }
+
+    /// All rows in order.
+    pub fn rows(&self) -> impl DoubleEndedIterator<Item = &[T]> + ExactSizeIterator + Clone {
+        self.entries.chunks_exact(self.columns.max(1))
+    }
+
+    /// Appends a row.
+    ///
+    /// # Panics
+    /// If the row does not have [`Matrix::columns`] entries.
+    pub fn push(&mut self, row: &[T]) {
+        assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
+        self.entries.extend_from_slice(row);
+    }
+
+    /// The flat entries, for kernels that append whole rows in place.
+    pub fn entries_mut(&mut self) -> &mut Vec<T> {
+        &mut self.entries
+    }
+}
+
+/// The primitive integer row on the same ray as `row`: one positive factor clears all denominators and divisors.
+#[must_use]
+pub fn primitive_row(row: &[Q]) -> Vec<Z> {
+    let denominator = row.iter().fold(Z::one(), |lcm, value| lcm.lcm(value.denom()));
+    let mut integers: Vec<Z> = row.iter().map(|value| value.numer() * (&denominator / value.denom())).collect();
+    Z::make_primitive(&mut integers);
+    integers
+}

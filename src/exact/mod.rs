@@ -1,0 +1,19 @@
+//! Exact numbers: rationals, literals, and integer rows on a ladder of machine integers.
+//!
+//! Nothing outside of this folder names `num_bigint`.
+
+mod int;
+mod literal;
+mod matrix;
+mod rational;
+
+pub use int::{Int, Ladder, Overflow, Rung, climb};
+pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
+pub use matrix::{Matrix, primitive_row};
+pub use rational::{approximate, from_float_exact, parse, ratio, round_down, round_up, to_f64};
+
+/// Integers of any size.
+pub type Z = num_bigint::BigInt;
+
+/// Rational numbers of any size, always reduced.
+pub type Q = num_rational::BigRational;

@@ -1,0 +1,80 @@
+//! Small helpers around rationals: construction, decimal views, directed rounding.
+
+use super::{LiteralError, Q, Z, parse_literal};
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// The rational `numerator / denominator`.
+///
+/// # Panics
+/// If `denominator` is zero.
+#[must_use]
+pub fn ratio(numerator: i64, denominator: i64) -> Q {
+    Q::new(Z::from(numerator), Z::from(denominator))
+}
+
+/// [`parse_literal`] under a short name, for tests and embedding programs.
+///
+/// # Errors
+/// As [`parse_literal`].
+pub fn parse(text: &str) -> Result<Q, LiteralError> {
+    parse_literal(text)
+}
+
+/// The nearest double, for pictures and decimal views only; huge values saturate.
+#[must_use]
+pub fn to_f64(value: &Q) -> f64 {
+    if let Some(near) = value.to_f64().filter(|v| v.is_finite()) {
+        return near;
+    }
+    if value.is_negative() { f64::MIN } else { f64::MAX }
+}
+
+/// The rational that a finite double denotes exactly; `None` for NaN and infinities.
+#[must_use]
+pub fn from_float_exact(value: f64) -> Option<Q> {
+    Q::from_float(value)
+}
+
+/// The largest multiple of `step` that is at most `value`.
+#[must_use]
+pub fn round_down(value: &Q, step: &Q) -> Q {
+    (value / step).floor() * step
+}
+
+/// The smallest multiple of `step` that is at least `value`.
+#[must_use]
+pub fn round_up(value: &Q, step: &Q) -> Q {
+    (value / step).ceil() * step
+}
+
+/// A rational within `tolerance` of `value` with the smallest denominator (a walk down the Stern-Brocot tree).
+///
+/// # Panics
+/// If `tolerance` is not positive.
+#[must_use]
+pub fn approximate(value: &Q, tolerance: &Q) -> Q {
+    assert!(tolerance.is_positive(), "an approximation needs a positive tolerance");
+    simplest_between(&(value - tolerance), &(value + tolerance))
+}
+
+fn simplest_between(low: &Q, high: &Q) -> Q {
+    if !low.is_positive() {
+        return if high.is_negative() { -simplest_between(&-high, &-low) } else { Q::zero() };
+    }
+    let mut whole_parts = Vec::new();
+    let (mut low, mut high) = (low.clone(), high.clone());
+    let mut value = loop {
+        let ceiling = low.ceil();
+        if ceiling <= high {
+            break ceiling;
+        }
+        let whole = low.floor();
+        let (next_low, next_high) = ((high - &whole).recip(), (low - &whole).recip());
+        whole_parts.push(whole);
+        (low, high) = (next_low, next_high);
+    };
+    while let Some(whole) = whole_parts.pop() {
+        value = whole + value.recip();
+    }
+    value
+}

@@ -1,0 +1,7 @@
+//! What a case means, in exact numbers: the part, its friction, its fixture.
+
+mod fixture;
+mod part;
+
+pub use fixture::{Fixel, Fixture, Friction, Place, Range};
+pub use part::{LengthUnit, Part, Shape};

@@ -1,0 +1,67 @@
+//! The rigid planar part that every task moves.
+
+use crate::exact::Q;
+use crate::geometry::Polygon;
+
+/// A rigid planar part; lengths in [`Part::unit`], any unit of mass.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// Unit of every length in the case.
+    pub unit: LengthUnit,
+    /// Outline.
+    pub shape: Shape,
+    /// Center of mass `[x, y]`.
+    pub center_of_mass: [Q; 2],
+    /// Half-width of the square in which the center of mass may lie; zero when it is known.
+    pub center_of_mass_tolerance: Q,
+    /// Mass, positive.
+    pub mass: Q,
+    /// Moment of inertia about the center of mass (mass · length²), positive.
+    pub inertia: Q,
+}
+
+impl Part {
+    /// Squared radius of gyration, inertia / mass (length²): the only inertia that wrench cones depend on.
+    #[must_use]
+    pub fn gyration2(&self) -> Q {
+        &self.inertia / &self.mass
+    }
+}
+
+/// Outline of a part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Shape {
+    /// A simple polygon, counter-clockwise.
+    Polygon(Polygon),
+    /// A disc.
+    Circle {
+        /// Center `[x, y]`.
+        center: [Q; 2],
+        /// Radius, positive.
+        radius: Q,
+    },
+}
+
+/// Unit of length of a case: sets labels and the default gravity, nothing else.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LengthUnit {
+    /// Metre.
+    #[default]
+    Metre,
+    /// Centimetre.
+    Centimetre,
+    /// Millimetre.
+    Millimetre,
+}
+
+impl LengthUnit {
+    /// The symbol as case files write it.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::Centimetre => "cm",
+            Self::Millimetre => "mm",
+        }
+    }
+}
