@@ -1,5 +1,11 @@
 //! Rows of bits in one allocation.
 
+use crate::exact::{Int, Matrix, Overflow};
+use smallvec::{SmallVec, smallvec};
+
+/// One bit set, on the stack up to 128 members.
+pub(super) type Set = SmallVec<[u64; 2]>;
+
 /// A list of bit sets over the same universe, stored flat.
 #[derive(Debug, Clone)]
 pub(super) struct BitRows {
@@ -22,6 +28,18 @@ impl BitRows {
         }
     }
 
+    /// Appends the set of the rows of `vectors` on the hyperplane of `normal`.
+    pub(super) fn push_zeros<T: Int>(&mut self, normal: &[T], vectors: &Matrix<T>) -> Result<(), Overflow> {
+        let start = self.bits.len();
+        self.bits.resize(start + self.words, 0);
+        for (member, vector) in vectors.rows().enumerate() {
+            if T::wide_sign(&T::dot(normal, vector)?).is_eq() {
+                self.bits[start + member / 64] |= 1 << (member % 64);
+            }
+        }
+        Ok(())
+    }
+
     /// Appends a copy of `words`.
     pub(super) fn push_words(&mut self, words: impl IntoIterator<Item = u64>) {
         self.bits.extend(words);
@@ -38,6 +56,19 @@ impl BitRows {
     pub(super) fn insert(&mut self, row: usize, member: usize) {
         self.bits[row * self.words + member / 64] |= 1 << (member % 64);
     }
+}
+
+/// The set of all members of a universe.
+pub(super) fn all(universe: usize) -> Set {
+    let mut words: Set = smallvec![u64::MAX; universe.div_ceil(64).max(1)];
+    let unused = words.len() * 64 - universe;
+    let last = words.len() - 1;
+    words[last] = words[last].checked_shr(unused as u32).unwrap_or(0);
+    words
+}
+
+pub(super) fn intersect(a: &[u64], b: &[u64]) -> Set {
+    a.iter().zip(b).map(|(x, y)| x & y).collect()
 }
 
 pub(super) fn count(set: &[u64]) -> usize {

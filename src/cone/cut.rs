@@ -35,28 +35,20 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
 /// `Err(row)` if the cone turns out to lie in the hyperplane of normal `row`: the caller starts again with an equality.
 fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result<Cut<T>, usize>, Overflow> {
     let dim = normals.columns();
-    let mut lines = Matrix::new(dim);
-    for axis in 0..dim {
-        let mut unit = vec![T::default(); dim];
-        unit[axis] = T::unit();
-        lines.push(&unit);
-    }
-    let mut rays = Matrix::new(dim);
+    let mut lines = Matrix::identity(dim);
+    let mut scratch = Vec::with_capacity(dim);
     for equality in equalities.rows() {
-        if let Some((_, rest)) = split_lines(&lines, equality)? {
-            lines = rest;
-        }
+        absorb(&mut lines, equality, &mut scratch)?;
     }
-    let mut basis = Vec::new();
-    for row in 0..normals.len() {
+    let mut rays = Matrix::with_capacity(dim, lines.len());
+    let mut basis = Vec::with_capacity(lines.len());
+    for (row, normal) in normals.rows().enumerate() {
         if lines.is_empty() {
             break;
         }
-        let normal = normals.row(row);
-        if let Some((inside, rest)) = split_lines(&lines, normal)? {
-            rays = flattened(&rays, &inside, normal)?;
+        if let Some(inside) = absorb(&mut lines, normal, &mut scratch)? {
+            flatten(&mut rays, &inside, normal, &mut scratch)?;
             rays.push(&inside);
-            lines = rest;
             basis.push(row);
         }
     }
@@ -65,40 +57,41 @@ fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result
     Ok(rays.map(|rays| Cut { lines, rays }))
 }
 
-/// Splits the lines into one strictly inside `normal · x ≤ 0` and a basis of those on the hyperplane.
-fn split_lines<T: Int>(lines: &Matrix<T>, normal: &[T]) -> Result<Option<(Vec<T>, Matrix<T>)>, Overflow> {
-    for (index, line) in lines.rows().enumerate() {
-        let product = T::dot(normal, line)?;
-        let inside: Vec<T> = match T::wide_sign(&product) {
-            Ordering::Equal => continue,
-            Ordering::Less => line.to_vec(),
-            Ordering::Greater => line.iter().map(T::negated).collect(),
-        };
-        let mut others = Matrix::new(normal.len());
-        for (other, row) in lines.rows().enumerate() {
-            if other != index {
-                others.push(row);
-            }
+/// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
+/// side `normal · x < 0`; `None` if all lines are on the hyperplane.
+fn absorb<T: Int>(lines: &mut Matrix<T>, normal: &[T], scratch: &mut Vec<T>) -> Result<Option<Vec<T>>, Overflow> {
+    for index in 0..lines.len() {
+        let side = T::wide_sign(&T::dot(normal, lines.row(index))?);
+        if side.is_eq() {
+            continue;
         }
-        let others = flattened(&others, &inside, normal)?;
-        return Ok(Some((inside, others)));
+        let mut inside = lines.swap_remove(index);
+        if side.is_gt() {
+            inside.iter_mut().for_each(|value| *value = value.negated());
+        }
+        flatten(lines, &inside, normal, scratch)?;
+        return Ok(Some(inside));
     }
     Ok(None)
 }
 
 /// Moves each row along the line `inside` onto the hyperplane of `normal`.
-fn flattened<T: Int>(rows: &Matrix<T>, inside: &[T], normal: &[T]) -> Result<Matrix<T>, Overflow> {
+fn flatten<T: Int>(
+    rows: &mut Matrix<T>,
+    inside: &[T],
+    normal: &[T],
+    scratch: &mut Vec<T>,
+) -> Result<(), Overflow> {
     let depth = T::wide_negated(&T::dot(normal, inside)?);
-    let mut out = Matrix::new(normal.len());
-    for row in rows.rows() {
-        let product = T::dot(normal, row)?;
-        if T::wide_sign(&product).is_eq() {
-            out.push(row);
-        } else {
-            T::combine(&depth, row, &product, inside, out.entries_mut())?;
+    for index in 0..rows.len() {
+        let product = T::dot(normal, rows.row(index))?;
+        if T::wide_sign(&product).is_ne() {
+            scratch.clear();
+            T::combine(&depth, rows.row(index), &product, inside, scratch)?;
+            rows.row_mut(index).clone_from_slice(scratch);
         }
     }
-    Ok(out)
+    Ok(())
 }
 
 /// Clips a three-dimensional cone (modulo lines) whose rays are in cyclic order.
@@ -108,17 +101,21 @@ fn clip<T: Int>(
     rows: impl Iterator<Item = usize>,
 ) -> Result<Result<Matrix<T>, usize>, Overflow> {
     let mut ring = rays;
+    let mut clipped = Matrix::with_capacity(normals.columns(), ring.len() + 1);
+    let mut products = Vec::with_capacity(ring.len());
     for row in rows {
         let normal = normals.row(row);
-        let products = ring.rows().map(|ray| T::dot(normal, ray)).collect::<Result<Vec<_>, _>>()?;
-        let outside = products.iter().filter(|p| T::wide_sign(p).is_gt()).count();
-        if outside == 0 {
+        products.clear();
+        for ray in ring.rows() {
+            products.push(T::dot(normal, ray)?);
+        }
+        if !products.iter().any(|p| T::wide_sign(p).is_gt()) {
             continue;
         }
         if !products.iter().any(|p| T::wide_sign(p).is_lt()) {
             return Ok(Err(row));
         }
-        let mut clipped = Matrix::new(normal.len());
+        clipped.clear();
         for (index, product) in products.iter().enumerate() {
             let next = (index + 1) % products.len();
             let (here, there) = (T::wide_sign(product), T::wide_sign(&products[next]));
@@ -131,7 +128,7 @@ fn clip<T: Int>(
                 crossing(&ring, next, &products[next], index, product, &mut clipped)?;
             }
         }
-        ring = clipped;
+        std::mem::swap(&mut ring, &mut clipped);
     }
     Ok(Ok(ring))
 }

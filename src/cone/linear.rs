@@ -38,14 +38,16 @@ pub(super) fn echelon<T: Int>(rows: &Matrix<T>) -> Result<Echelon<T>, Overflow> 
 }
 
 impl<T: Int> Echelon<T> {
-    /// The primitive row equal to `row` modulo the basis with zeros in the pivot columns; zero if `row` is in the span.
-    pub(super) fn reduce(&self, row: &[T]) -> Result<Vec<T>, Overflow> {
-        let mut reduced = row.to_vec();
+    /// Replaces `row` by the primitive row equal to it modulo the basis with zeros in the pivot columns, which is zero
+    /// if `row` is in the span.
+    pub(super) fn reduce(&self, row: &mut [T]) -> Result<(), Overflow> {
         for (basis_row, pivot) in self.rows.rows().zip(&self.pivots) {
-            reduced = eliminated(&reduced, basis_row, *pivot)?;
+            if row[*pivot].sign().is_ne() {
+                row.clone_from_slice(&eliminated(row, basis_row, *pivot)?);
+            }
         }
-        T::make_primitive(&mut reduced);
-        Ok(reduced)
+        T::make_primitive(row);
+        Ok(())
     }
 }
 

@@ -26,9 +26,9 @@ impl<T: Int> HalfSpaces<T> {
     /// The conditions of both.
     #[must_use]
     pub fn and(mut self, other: &Self) -> Self {
-        other.equalities.rows().for_each(|row| self.equalities.push(row));
-        other.closed.rows().for_each(|row| self.closed.push(row));
-        other.strict.rows().for_each(|row| self.strict.push(row));
+        self.equalities.append(&other.equalities);
+        self.closed.append(&other.closed);
+        self.strict.append(&other.strict);
         self
     }
 }
@@ -57,8 +57,9 @@ impl<T: Int> Cone<T> {
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_half_spaces(system: &HalfSpaces<T>) -> Result<Option<Self>, Overflow> {
-        let mut normals = system.closed.clone();
-        system.strict.rows().for_each(|row| normals.push(row));
+        let mut normals = Matrix::with_capacity(system.closed.columns(), system.closed.len() + system.strict.len());
+        normals.append(&system.closed);
+        normals.append(&system.strict);
         let closure = Pair::from_normals(&system.equalities, &normals)?;
         let missing = faces_of_strict_normals(&closure, &system.strict)?;
         Ok(missing.map(|missing| Self { closure, missing }))
@@ -148,8 +149,8 @@ impl<T: Int> Cone<T> {
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn sum(&self, other: &Self) -> Result<Self, Overflow> {
         let mut generators = self.generators();
-        other.closure.lines().rows().for_each(|row| generators.lines.push(row));
-        other.closure.rays().rows().for_each(|row| generators.rays.push(row));
+        generators.lines.append(other.closure.lines());
+        generators.rays.append(other.closure.rays());
         let closure = Pair::from_generators(&generators)?;
         Self::with_missing_of(closure, &[self.summand()?, other.summand()?])
     }
@@ -160,7 +161,7 @@ impl<T: Int> Cone<T> {
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn plus_rays(&self, rays: &Matrix<T>) -> Result<Self, Overflow> {
         let mut generators = self.generators();
-        rays.rows().for_each(|row| generators.rays.push(row));
+        generators.rays.append(rays);
         let closure = Pair::from_generators(&generators)?;
         if self.missing.is_empty() {
             return Ok(closure.into());

@@ -135,15 +135,17 @@ impl Int for i64 {
     }
 
     fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow> {
-        let (p, q) = coprime(*p, *q);
-        let entry = |x: i64, y: i64| wide_combination(p, x.into(), q, y.into());
+        let is_short = |v: i128| i64::try_from(v).is_ok();
+        // with 64-bit factors no sum exceeds 128 bits, and the last division removes what they share
+        let (p, q) = if is_short(*p) && is_short(*q) { (*p, *q) } else { coprime(*p, *q) };
         let mut divisor = 0_u128;
         for (x, y) in a.iter().zip(b) {
-            divisor = gcd(divisor, entry(*x, *y).ok_or(Overflow)?.unsigned_abs());
+            let value = wide_combination(p, (*x).into(), q, (*y).into()).ok_or(Overflow)?;
+            divisor = gcd(divisor, value.unsigned_abs());
         }
         let divisor = divisor.max(1);
         for (x, y) in a.iter().zip(b) {
-            let value = entry(*x, *y).ok_or(Overflow)?;
+            let value = wide_combination(p, (*x).into(), q, (*y).into()).ok_or(Overflow)?;
             out.push(narrow(value, divisor).ok_or(Overflow)?);
         }
         Ok(())
@@ -319,8 +321,11 @@ fn wide_combination(p: i128, x: i128, q: i128, y: i128) -> Option<i128> {
 }
 
 fn narrow(value: i128, divisor: u128) -> Option<i64> {
-    let value = if divisor == 1 { value } else { value / i128::try_from(divisor).ok()? };
-    i64::try_from(value).ok().filter(|v| *v != i64::MIN)
+    let value = match (i64::try_from(value), i64::try_from(divisor)) {
+        (Ok(value), Ok(divisor)) => value / divisor,
+        _ => i64::try_from(value / i128::try_from(divisor).ok()?).ok()?,
+    };
+    Some(value).filter(|v| *v != i64::MIN)
 }
 
 fn gcd(a: u128, b: u128) -> u128 {

@@ -18,12 +18,27 @@ impl<T: Int> Matrix<T> {
         Self { columns, entries: Vec::new() }
     }
 
+    /// No rows yet, with room for `rows` of them.
+    #[must_use]
+    pub fn with_capacity(columns: usize, rows: usize) -> Self {
+        Self { columns, entries: Vec::with_capacity(columns * rows) }
+    }
+
+    /// The unit vectors.
+    #[must_use]
+    pub fn identity(size: usize) -> Self {
+        let mut entries = vec![T::default(); size * size];
+        entries.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = T::unit());
+        Self { columns: size, entries }
+    }
+
     /// The rows that `rows` yields.
     ///
     /// # Panics
     /// If a row does not have `columns` entries.
     pub fn from_rows<R: AsRef<[T]>>(columns: usize, rows: impl IntoIterator<Item = R>) -> Self {
-        let mut matrix = Self::new(columns);
+        let rows = rows.into_iter();
+        let mut matrix = Self::with_capacity(columns, rows.size_hint().0);
         for row in rows {
             matrix.push(row.as_ref());
         }
@@ -66,6 +81,43 @@ impl<T: Int> Matrix<T> {
     pub fn push(&mut self, row: &[T]) {
         assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
         self.entries.extend_from_slice(row);
+    }
+
+    /// Appends the negative of a row.
+    ///
+    /// # Panics
+    /// If the row does not have [`Matrix::columns`] entries.
+    pub fn push_negated(&mut self, row: &[T]) {
+        assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
+        self.entries.extend(row.iter().map(T::negated));
+    }
+
+    /// Appends all rows of `other`.
+    ///
+    /// # Panics
+    /// If the columns differ.
+    pub fn append(&mut self, other: &Self) {
+        assert_eq!(other.columns, self.columns, "matrices must have the same columns");
+        self.entries.extend_from_slice(&other.entries);
+    }
+
+    /// Takes row `index` out; the last row takes its place.
+    pub fn swap_remove(&mut self, index: usize) -> Vec<T> {
+        let last = self.entries.len() - self.columns;
+        for column in 0..self.columns {
+            self.entries.swap(index * self.columns + column, last + column);
+        }
+        self.entries.split_off(last)
+    }
+
+    /// Row `index`, to be changed in place.
+    pub fn row_mut(&mut self, index: usize) -> &mut [T] {
+        &mut self.entries[index * self.columns..(index + 1) * self.columns]
+    }
+
+    /// Drops all rows.
+    pub fn clear(&mut self) {
+        self.entries.clear();
     }
 
     /// The flat entries, for kernels that append whole rows in place.

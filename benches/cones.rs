@@ -1,0 +1,114 @@
+//! Mode cones, feasible modes and whole plans. Run `cargo bench`.
+//!
+//! Contacts lie on a polygon of 50 edges with integer vertices; modes are drawn over all seven letters. The group
+//! `generic` runs the same mode cones with the general double description in 2n dimensions, the paper's own way, so
+//! that every figure has its yardstick in the same run.
+
+use divan::{Bencher, black_box};
+use partplan::exact::{Q, ratio};
+use partplan::geometry::Polygon;
+use partplan::mechanics::{Contact, ContactRows, Interaction, feasible_modes, mode_cone};
+use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
+use partplan::planner::{Question, insertion, stability};
+
+fn main() {
+    divan::main();
+}
+
+#[divan::bench(args = [1, 2, 3, 4, 5, 6, 50])]
+fn mode_cones(bencher: Bencher, n: usize) {
+    let contacts = contacts(n);
+    let modes = modes(n, 64);
+    let mut next = modes.iter().cycle();
+    bencher.bench_local(|| mode_cone(&contacts, black_box(next.next().unwrap()), true));
+}
+
+#[divan::bench(args = [2, 3, 4, 6, 10, 20, 50])]
+fn feasible(bencher: Bencher, n: usize) {
+    let contacts = contacts(n);
+    bencher.bench_local(|| feasible_modes(black_box(&contacts)));
+}
+
+#[divan::bench]
+fn insertion_of_three(bencher: Bencher) {
+    let (part, fixture) = pawl();
+    bencher.bench_local(|| insertion(black_box(&part), &fixture, &Question::default()));
+}
+
+#[divan::bench]
+fn stability_of_three(bencher: Bencher) {
+    let (part, fixture) = pawl();
+    bencher.bench_local(|| stability(black_box(&part), &fixture, &Question::default()));
+}
+
+fn contacts(n: usize) -> Vec<ContactRows<i64>> {
+    let (part, fixture) = ring(n);
+    Contact::of(&part, &fixture).iter().map(|contact| contact.on_rung().expect("the ring's rows are short")).collect()
+}
+
+/// Modes over all letters from a fixed linear congruential sequence; every contact makes the part's mode plausible.
+fn modes(n: usize, count: usize) -> Vec<Vec<Interaction>> {
+    let letters = [
+        Interaction::Separate,
+        Interaction::Approach,
+        Interaction::Unconstrained,
+        Interaction::SlideLeft,
+        Interaction::SlideRight,
+        Interaction::Roll,
+        Interaction::Maintain,
+    ];
+    let mut state = 1_u64;
+    let mut draw = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        letters[(state >> 33) as usize % letters.len()]
+    };
+    (0..count).map(|_| (0..n).map(|_| draw()).collect()).collect()
+}
+
+/// `n` contacts spread over a polygon of 50 edges.
+fn ring(n: usize) -> (Part, Fixture) {
+    let corner = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / 50.0;
+        [(1000.0 * angle.cos()).round() as i64, (1000.0 * angle.sin()).round() as i64]
+    };
+    let vertices = (0..50).map(|k| corner(k).map(|value| ratio(value, 1))).collect();
+    let fixels = (0..n).map(|contact| {
+        let k = contact * 50 / n;
+        let (a, b) = (corner(k), corner(k + 1));
+        let share = ratio(3 + contact as i64 % 5, 10);
+        let at = |axis: usize| ratio(a[axis], 1) + ratio(b[axis] - a[axis], 1) * &share;
+        let normal = [ratio(a[1] - b[1], 1), ratio(b[0] - a[0], 1)];
+        fixel([at(0), at(1)], normal, ratio(1, 5))
+    });
+    let fixels = fixels.collect();
+    (part(vertices, [ratio(13, 1), ratio(-7, 1)], ratio(498_000, 1)), Fixture { fixels })
+}
+
+/// The pawl of the public case `n3_pawl_02`.
+fn pawl() -> (Part, Fixture) {
+    let outline = [(0, 0), (9, -2), (12, 0), (11, 3), (8, 2), (6, 4), (3, 5), (0, 4), (-1, 2)];
+    let vertices = outline.map(|(x, y)| [ratio(x, 1), ratio(y, 1)]).to_vec();
+    let fixels = vec![
+        fixel([ratio(45, 4), ratio(-1, 2)], [ratio(-2, 1), ratio(3, 1)], ratio(1, 5)),
+        fixel([ratio(13, 2), ratio(7, 2)], [ratio(-1, 1), ratio(-1, 1)], ratio(1, 5)),
+        fixel([ratio(-3, 4), ratio(5, 2)], [ratio(2, 1), ratio(-1, 1)], ratio(1, 5)),
+    ];
+    (part(vertices, [ratio(221, 42), ratio(29, 21)], ratio(46937, 3528)), Fixture { fixels })
+}
+
+fn part(vertices: Vec<[Q; 2]>, center_of_mass: [Q; 2], inertia: Q) -> Part {
+    Part {
+        unit: LengthUnit::Metre,
+        shape: Shape::Polygon(Polygon::new(vertices).expect("the outline is simple")),
+        center_of_mass,
+        center_of_mass_tolerance: ratio(0, 1),
+        mass: ratio(1, 1),
+        inertia,
+    }
+}
+
+fn fixel(point: [Q; 2], normal: [Q; 2], friction: Q) -> Fixel {
+    let range = Range::exactly(friction);
+    let friction = Friction { static_: range.clone(), kinetic: range };
+    Fixel { place: Place::Edge { edge: 0, s: ratio(1, 2) }, point, normal, friction }
+}
