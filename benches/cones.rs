@@ -1,8 +1,7 @@
 //! Mode cones, feasible modes and whole plans. Run `cargo bench`.
 //!
-//! Contacts lie on a polygon of 50 edges with integer vertices; modes are drawn over all seven letters. The group
-//! `generic` runs the same mode cones with the general double description in 2n dimensions, the paper's own way, so
-//! that every figure has its yardstick in the same run.
+//! Contacts lie on a polygon of 50 edges with integer vertices. The group `paper_route` runs the same modes by the
+//! paper's construction, a conversion in up to 2n dimensions, so that each figure has its yardstick in the same run.
 
 use divan::{Bencher, black_box};
 use partplan::exact::{Q, ratio};
@@ -18,7 +17,7 @@ fn main() {
 #[divan::bench(args = [1, 2, 3, 4, 5, 6, 50])]
 fn mode_cones(bencher: Bencher, n: usize) {
     let contacts = contacts(n);
-    let modes = modes(n, 64);
+    let modes = modes(n);
     let mut next = modes.iter().cycle();
     bencher.bench_local(|| mode_cone(&contacts, black_box(next.next().unwrap()), true));
 }
@@ -46,23 +45,26 @@ fn contacts(n: usize) -> Vec<ContactRows<i64>> {
     Contact::of(&part, &fixture).iter().map(|contact| contact.on_rung().expect("the ring's rows are short")).collect()
 }
 
-/// Modes over all letters from a fixed linear congruential sequence; every contact makes the part's mode plausible.
-fn modes(n: usize, count: usize) -> Vec<Vec<Interaction>> {
-    let letters = [
-        Interaction::Separate,
-        Interaction::Approach,
-        Interaction::Unconstrained,
-        Interaction::SlideLeft,
-        Interaction::SlideRight,
-        Interaction::Roll,
-        Interaction::Maintain,
-    ];
-    let mut state = 1_u64;
-    let mut draw = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        letters[(state >> 33) as usize % letters.len()]
-    };
-    (0..count).map(|_| (0..n).map(|_| draw()).collect()).collect()
+/// The modes that planning asks for, all of them non-empty: the feasible ones, and for few contacts those that add none
+/// (`s` at one, `m` or `u` at the others).
+fn modes(n: usize) -> Vec<Vec<Interaction>> {
+    let contacts = contacts(n);
+    let mut modes = feasible_modes(&contacts).expect("the ring's rows are short");
+    modes.push(vec![Interaction::Maintain; n]);
+    if n <= 6 {
+        for separating in 0..n {
+            for maintained in (0..1_u32 << n).filter(|set| set >> separating & 1 == 0) {
+                let letter = |contact: usize| match contact {
+                    _ if contact == separating => Interaction::Separate,
+                    _ if maintained >> contact & 1 == 1 => Interaction::Maintain,
+                    _ => Interaction::Unconstrained,
+                };
+                modes.push((0..n).map(letter).collect());
+            }
+        }
+    }
+    modes.retain(|mode| mode_cone(&contacts, mode, true).is_ok_and(|cone| cone.is_some()));
+    modes
 }
 
 /// `n` contacts spread over a polygon of 50 edges.

@@ -1,7 +1,7 @@
 //! Generators of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
 use super::bits::{BitRows, count, is_subset};
-use crate::exact::{Int, Matrix, Overflow};
+use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
 /// Lines and extreme rays, not yet in canonical form.
@@ -36,7 +36,7 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
 fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result<Cut<T>, usize>, Overflow> {
     let dim = normals.columns();
     let mut lines = Matrix::identity(dim);
-    let mut scratch = Vec::with_capacity(dim);
+    let mut scratch = Entries::new();
     for equality in equalities.rows() {
         absorb(&mut lines, equality, &mut scratch)?;
     }
@@ -59,7 +59,7 @@ fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result
 
 /// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
 /// side `normal · x < 0`; `None` if all lines are on the hyperplane.
-fn absorb<T: Int>(lines: &mut Matrix<T>, normal: &[T], scratch: &mut Vec<T>) -> Result<Option<Vec<T>>, Overflow> {
+fn absorb<T: Int>(lines: &mut Matrix<T>, normal: &[T], scratch: &mut Entries<T>) -> Result<Option<Entries<T>>, Overflow> {
     for index in 0..lines.len() {
         let side = T::wide_sign(&T::dot(normal, lines.row(index))?);
         if side.is_eq() {
@@ -80,7 +80,7 @@ fn flatten<T: Int>(
     rows: &mut Matrix<T>,
     inside: &[T],
     normal: &[T],
-    scratch: &mut Vec<T>,
+    scratch: &mut Entries<T>,
 ) -> Result<(), Overflow> {
     let depth = T::wide_negated(&T::dot(normal, inside)?);
     for index in 0..rows.len() {

@@ -3,31 +3,35 @@
 use super::{Int, Q, Z};
 use num_integer::Integer as _;
 use num_traits::One as _;
+use smallvec::SmallVec;
+
+/// Entries of rows, on the stack while there are few: most cones in wrench space have at most four rows a side.
+pub type Entries<T> = SmallVec<[T; 12]>;
 
 /// A list of rows of equal length, stored flat.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix<T> {
     columns: usize,
-    entries: Vec<T>,
+    entries: Entries<T>,
 }
 
 impl<T: Int> Matrix<T> {
     /// No rows yet.
     #[must_use]
     pub fn new(columns: usize) -> Self {
-        Self { columns, entries: Vec::new() }
+        Self { columns, entries: Entries::new() }
     }
 
     /// No rows yet, with room for `rows` of them.
     #[must_use]
     pub fn with_capacity(columns: usize, rows: usize) -> Self {
-        Self { columns, entries: Vec::with_capacity(columns * rows) }
+        Self { columns, entries: Entries::with_capacity(columns * rows) }
     }
 
     /// The unit vectors.
     #[must_use]
     pub fn identity(size: usize) -> Self {
-        let mut entries = vec![T::default(); size * size];
+        let mut entries = Entries::from_elem(T::default(), size * size);
         entries.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = T::unit());
         Self { columns: size, entries }
     }
@@ -80,7 +84,7 @@ impl<T: Int> Matrix<T> {
     /// If the row does not have [`Matrix::columns`] entries.
     pub fn push(&mut self, row: &[T]) {
         assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
-        self.entries.extend_from_slice(row);
+        self.entries.extend(row.iter().cloned());
     }
 
     /// Appends the negative of a row.
@@ -98,16 +102,16 @@ impl<T: Int> Matrix<T> {
     /// If the columns differ.
     pub fn append(&mut self, other: &Self) {
         assert_eq!(other.columns, self.columns, "matrices must have the same columns");
-        self.entries.extend_from_slice(&other.entries);
+        self.entries.extend(other.entries.iter().cloned());
     }
 
     /// Takes row `index` out; the last row takes its place.
-    pub fn swap_remove(&mut self, index: usize) -> Vec<T> {
+    pub fn swap_remove(&mut self, index: usize) -> Entries<T> {
         let last = self.entries.len() - self.columns;
         for column in 0..self.columns {
             self.entries.swap(index * self.columns + column, last + column);
         }
-        self.entries.split_off(last)
+        self.entries.drain(last..).collect()
     }
 
     /// Row `index`, to be changed in place.
@@ -121,7 +125,7 @@ impl<T: Int> Matrix<T> {
     }
 
     /// The flat entries, for kernels that append whole rows in place.
-    pub fn entries_mut(&mut self) -> &mut Vec<T> {
+    pub fn entries_mut(&mut self) -> &mut Entries<T> {
         &mut self.entries
     }
 }

@@ -29,8 +29,7 @@ pub fn mode_cone<T: Int>(
     mode: &[Interaction],
     strict_s: bool,
 ) -> Result<Option<Cone<T>>, Overflow> {
-    let accelerations = Cone::from_half_spaces(&acceleration_system(contacts, mode, strict_s))?;
-    accelerations.map(|cone| cone.plus_rays(&force_rays(contacts, mode))).transpose()
+    Cone::from_half_spaces_plus(&acceleration_system(contacts, mode, strict_s), &force_rays(contacts, mode))
 }
 
 /// The constraints of `mode` on `w = M v'`.

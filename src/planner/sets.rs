@@ -154,8 +154,7 @@ fn moving_cones<T: Int>(contacts: &[ContactRows<T>], feasible: &[Vec<Interaction
         let opposite: Vec<T> = pivot.iter().map(T::negated).collect();
         for strict in [pivot.to_vec(), opposite] {
             let system = HalfSpaces { strict: Matrix::from_rows(3, [strict]), ..fixed.clone() };
-            let turning = Cone::from_half_spaces(&system)?.expect("half of a line is not empty");
-            cones.push(turning.plus_rays(&force_rays(contacts, &rest))?);
+            cones.extend(Cone::from_half_spaces_plus(&system, &force_rays(contacts, &rest))?);
         }
     }
     Ok(cones)
