@@ -221,8 +221,10 @@ pub enum FaultKind {
         reason: LiteralError,
     },
     /// A number, or all numbers together, with too many digits.
-    #[error("{digits} digits, more than the limit of {limit}")]
+    #[error("{what} {digits} digits, more than the limit of {limit}")]
     TooManyDigits {
+        /// One number or all so far, with its verb.
+        what: &'static str,
         /// Digits and decimal places of exponents.
         digits: usize,
         /// The limit.
