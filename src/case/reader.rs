@@ -1,6 +1,7 @@
 //! Typed access to the syntax tree that collects faults instead of stopping at the first.
 
-use super::fault::{Fault, FaultKind};
+use super::fault::Fault;
+use super::kind::FaultKind;
 use super::show::clipped;
 use super::suggest;
 use super::text::{NUMBER_HELP, is_not_finite};
