@@ -2,7 +2,7 @@
 
 use super::dot;
 use num_traits::{One, Signed, Zero};
-use partplan::exact::Q;
+use partplan::exact::{Q, Z, primitive_row};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
@@ -79,90 +79,90 @@ impl Program {
     }
 }
 
-/// Rows `entries . x = right` with `x >= 0`; `surplus` says which rows own a column with -1.
+/// Rows `(entries . x - right) / scale = 0` with `x >= 0`, in integers: every division below is exact (Bareiss).
 struct Tableau {
     variables: usize,
-    rows: Vec<Vec<Q>>,
+    /// Entries, and the right side last.
+    rows: Vec<Vec<Z>>,
+    /// Which rows own a surplus column with -1.
     surplus: Vec<bool>,
-    right: Vec<Q>,
     basis: Vec<usize>,
+    /// Reduced costs, and minus the objective last.
+    cost: Vec<Z>,
+    scale: Z,
 }
 
 impl Tableau {
     fn new(variables: usize) -> Self {
-        Self { variables, rows: Vec::new(), surplus: Vec::new(), right: Vec::new(), basis: Vec::new() }
+        let (rows, surplus, basis, cost) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { variables, rows, surplus, basis, cost, scale: Z::one() }
     }
 
-    fn add(&mut self, row: Vec<Q>, surplus: bool, right: Q) {
-        self.rows.push(row);
+    fn add(&mut self, mut row: Vec<Q>, surplus: bool, right: Q) {
+        row.push(right);
+        self.rows.push(primitive_row(&row));
         self.surplus.push(surplus);
-        self.right.push(right);
     }
 
     /// Values of the variables at a feasible point, the one with the largest `objective` if there is one.
     fn solve(mut self, objective: Option<usize>) -> Option<Vec<Q>> {
         let artificial = self.start();
-        let width = self.rows.first().map_or(self.variables, Vec::len);
-        let mut cost = vec![Q::zero(); width];
-        cost[artificial..].fill(Q::one());
-        self.minimise(&cost);
-        let infeasible = self.basis.iter().zip(&self.right).any(|(b, value)| *b >= artificial && !value.is_zero());
-        if infeasible {
+        self.minimise();
+        if self.basis.iter().zip(&self.rows).any(|(b, row)| *b >= artificial && !row[row.len() - 1].is_zero()) {
             return None;
         }
         self.drop_artificial(artificial);
         if let Some(objective) = objective {
-            let mut cost = vec![Q::zero(); artificial];
-            cost[objective] = -Q::one();
-            self.minimise(&cost);
+            self.cost = vec![Z::zero(); artificial + 1];
+            if let Some(row) = self.basis.iter().position(|b| *b == objective) {
+                self.cost.clone_from(&self.rows[row]);
+            }
+            self.cost[objective] -= &self.scale;
+            self.minimise();
         }
         let mut values = vec![Q::zero(); self.variables];
-        for (b, value) in self.basis.iter().zip(&self.right) {
-            if *b < self.variables {
-                values[*b] = value.clone();
-            }
+        for (b, row) in self.basis.iter().zip(&self.rows).filter(|(b, _)| **b < self.variables) {
+            values[*b] = Q::new(row[row.len() - 1].clone(), self.scale.clone());
         }
         Some(values)
     }
 
-    /// Appends surplus and artificial columns, one of each row's own in the basis; returns the first artificial column.
+    /// Gives each row a surplus and an artificial column, one of the two in the basis; the first phase minimises the
+    /// sum of the artificial ones, which start at the returned column.
     fn start(&mut self) -> usize {
-        let artificial = self.variables + self.rows.len();
-        let width = artificial + self.rows.len();
-        for i in 0..self.rows.len() {
-            self.rows[i].resize(width, Q::zero());
+        let count = self.rows.len();
+        let artificial = self.variables + count;
+        self.cost = vec![Z::zero(); artificial + count + 1];
+        for i in 0..count {
+            let right = self.rows[i].pop().expect("the right side is last");
+            let own = self.surplus[i] && !right.is_positive();
+            let row = &mut self.rows[i];
+            row.resize(artificial + count, Z::zero());
+            row.push(right.clone());
             if self.surplus[i] {
-                self.rows[i][self.variables + i] = -Q::one();
+                row[self.variables + i] = -Z::one();
             }
-            let own_sign_is_right = self.surplus[i] && !self.right[i].is_positive();
-            if self.right[i].is_negative() || own_sign_is_right {
-                self.rows[i].iter_mut().for_each(|v| *v = -&*v);
-                self.right[i] = -&self.right[i];
+            if own || right.is_negative() {
+                row.iter_mut().for_each(|v| *v = -&*v);
             }
-            self.basis.push(if own_sign_is_right { self.variables + i } else { artificial + i });
-            if !own_sign_is_right {
-                self.rows[i][artificial + i] = Q::one();
+            self.basis.push(if own { self.variables + i } else { artificial + i });
+            if !own {
+                self.cost.iter_mut().zip(&*row).for_each(|(cost, v)| *cost -= v);
+                row[artificial + i] = Z::one();
             }
         }
         artificial
     }
 
-    fn minimise(&mut self, cost: &[Q]) {
-        while let Some(column) = (0..cost.len()).find(|c| self.reduced_cost(cost, *c).is_negative()) {
-            let ratios = (0..self.rows.len()).filter(|r| self.rows[*r][column].is_positive());
-            let row = ratios
-                .min_by_key(|r| (&self.right[*r] / &self.rows[*r][column], self.basis[*r]))
-                .expect("both objectives are bounded");
+    /// Bland: the first column that lowers the cost, and among the rows that bound it the first basic variable.
+    fn minimise(&mut self) {
+        let columns = self.cost.len() - 1;
+        while let Some(column) = (0..columns).find(|c| self.cost[*c].is_negative()) {
+            let ratio = |r: &usize| Q::new(self.rows[*r][columns].clone(), self.rows[*r][column].clone());
+            let bounding = (0..self.rows.len()).filter(|r| self.rows[*r][column].is_positive());
+            let row = bounding.min_by_key(|r| (ratio(r), self.basis[*r])).expect("both objectives are bounded");
             self.pivot(row, column);
         }
-    }
-
-    fn reduced_cost(&self, cost: &[Q], column: usize) -> Q {
-        let basic: Q = (self.basis.iter().zip(&self.rows))
-            .filter(|(b, row)| !cost[**b].is_zero() && !row[column].is_zero())
-            .map(|(b, row)| &cost[*b] * &row[column])
-            .sum();
-        &cost[column] - basic
     }
 
     fn drop_artificial(&mut self, artificial: usize) {
@@ -171,32 +171,34 @@ impl Tableau {
             if self.basis[row] < artificial {
                 row += 1;
             } else if let Some(column) = (0..artificial).find(|c| !self.rows[row][*c].is_zero()) {
+                if self.rows[row][column].is_negative() {
+                    self.rows[row].iter_mut().for_each(|v| *v = -&*v); // its right side is zero
+                }
                 self.pivot(row, column);
                 row += 1;
             } else {
                 self.rows.swap_remove(row);
-                self.right.swap_remove(row);
                 self.basis.swap_remove(row);
             }
         }
-        self.rows.iter_mut().for_each(|r| r.truncate(artificial));
+        for row in &mut self.rows {
+            row.drain(artificial..row.len() - 1);
+        }
     }
 
     fn pivot(&mut self, row: usize, column: usize) {
-        let scale = self.rows[row][column].recip();
-        self.rows[row].iter_mut().filter(|v| !v.is_zero()).for_each(|v| *v *= &scale);
-        self.right[row] *= &scale;
-        let (pivot_row, pivot_right) = (self.rows[row].clone(), self.right[row].clone());
-        for other in (0..self.rows.len()).filter(|r| *r != row) {
-            let factor = self.rows[other][column].clone();
-            if factor.is_zero() {
-                continue;
+        let pivot_row = self.rows[row].clone();
+        let pivot = &pivot_row[column];
+        let others = self.rows.iter_mut().enumerate().filter(|(r, _)| *r != row).map(|(_, other)| other);
+        for other in others.chain([&mut self.cost]) {
+            let factor = other[column].clone();
+            for (value, entry) in other.iter_mut().zip(&pivot_row) {
+                if !value.is_zero() || !(factor.is_zero() || entry.is_zero()) {
+                    *value = (&*value * pivot - &factor * entry) / &self.scale;
+                }
             }
-            for (value, pivot) in self.rows[other].iter_mut().zip(&pivot_row).filter(|(_, pivot)| !pivot.is_zero()) {
-                *value -= &factor * pivot;
-            }
-            self.right[other] -= &factor * &pivot_right;
         }
+        self.scale = pivot.clone();
         self.basis[row] = column;
     }
 }
