@@ -35,11 +35,8 @@ pub(super) fn describe(cone: &Cone) -> String {
     if cone.dim == 3 && cone.faces.is_empty() {
         return if cone.excluded.is_empty() { "every wrench" } else { "every wrench but a few" }.to_owned();
     }
-    let mut parts = vec![
-        format!("dimension {}", cone.dim),
-        count(cone.faces.len(), "face"),
-        count(cone.rays.len(), "ray"),
-    ];
+    let mut parts =
+        vec![format!("dimension {}", cone.dim), count(cone.faces.len(), "face"), count(cone.rays.len(), "ray")];
     if !cone.lines.is_empty() {
         parts.push(count(cone.lines.len(), "line"));
     }
