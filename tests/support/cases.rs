@@ -2,9 +2,10 @@
 
 use super::modes::{Contact, Contacts};
 use super::{Wrench, q};
-use jsonc_parser::JsonValue;
+use jsonc_parser::{JsonArray, JsonObject, JsonValue};
 use partplan::exact::{Q, Z};
-use partplan::model::{Friction, Range};
+use partplan::geometry::{Location, Polygon};
+use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
 use serde_json::Value;
 
 pub const NAMES: [&str; 15] = [
@@ -75,10 +76,71 @@ pub fn contacts(name: &str) -> Contacts {
     Contacts { list: fixels.collect(), rho2: number(&expected["rho2"]) }
 }
 
+/// Part and fixture of a case, built from the expected results without the crate's own reader.
+pub fn seated(name: &str) -> (Part, Fixture) {
+    let expected = expected(name);
+    let shape = shape(&parsed(&text(name)));
+    let fixels = expected["fixels"].as_array().expect("a list").iter().zip(frictions(name)).map(|(fixel, friction)| {
+        let point: [Q; 2] = numbers(&fixel["at"]).try_into().expect("two numbers");
+        let place = match &shape {
+            Shape::Circle { .. } => Place::Arc,
+            Shape::Polygon(polygon) => match polygon.locate(&point).expect("fixels are on the outline") {
+                Location::Edge { edge, s } => Place::Edge { edge, s },
+                Location::Vertex(vertex) => Place::Vertex { vertex },
+            },
+        };
+        Fixel { place, point, normal: numbers(&fixel["normal"]).try_into().expect("two numbers"), friction }
+    });
+    let fixture = Fixture { fixels: fixels.collect() };
+    let part = Part {
+        unit: LengthUnit::Metre,
+        center_of_mass: numbers(&expected["center_of_mass"]).try_into().expect("two numbers"),
+        center_of_mass_tolerance: q("0"),
+        mass: q("1"),
+        inertia: number(&expected["rho2"]),
+        shape,
+    };
+    (part, fixture)
+}
+
+fn shape(case: &JsonObject) -> Shape {
+    let shape = case.get_object("part").and_then(|part| part.get_object("shape")).expect("a shape");
+    if let Some(circle) = shape.get_object("circle") {
+        let center = literals(circle.get_array("center").expect("a center"));
+        return Shape::Circle {
+            center: center.try_into().expect("two numbers"),
+            radius: literal(circle.get("radius").expect("a radius")),
+        };
+    }
+    let vertices = shape.get_array("polygon").expect("a polygon").iter().map(|vertex| match vertex {
+        JsonValue::Array(vertex) => literals(vertex).try_into().expect("two numbers"),
+        other => panic!("{other:?} is not a vertex"),
+    });
+    Shape::Polygon(Polygon::new(vertices.collect()).expect("the cases' polygons are simple"))
+}
+
+fn literals(list: &JsonArray) -> Vec<Q> {
+    list.iter().map(literal).collect()
+}
+
+fn literal(value: &JsonValue) -> Q {
+    match value {
+        JsonValue::Number(text) => q(text),
+        JsonValue::String(text) => q(text),
+        other => panic!("{other:?} is not a number"),
+    }
+}
+
+fn parsed(text: &str) -> JsonObject<'_> {
+    match jsonc_parser::parse_to_value(text, &jsonc_parser::ParseOptions::default()) {
+        Ok(Some(JsonValue::Object(case))) => case,
+        other => panic!("{other:?} is not an object"),
+    }
+}
+
 fn frictions(name: &str) -> Vec<Friction> {
     let text = text(name);
-    let case = jsonc_parser::parse_to_value(&text, &jsonc_parser::ParseOptions::default()).expect("a case is JSON");
-    let Some(JsonValue::Object(case)) = case else { panic!("{name} is not an object") };
+    let case = parsed(&text);
     let fixels = case.get_object("insert").and_then(|insert| insert.get_array("fixels")).expect("fixels");
     fixels
         .iter()
@@ -105,12 +167,10 @@ fn friction(value: &JsonValue) -> Friction {
 
 fn range(value: &JsonValue) -> Range {
     match value {
-        JsonValue::Number(text) => Range::exactly(q(text)),
-        JsonValue::String(text) => Range::exactly(q(text)),
         JsonValue::Object(object) => {
             let end = |key| range(object.get(key).expect("both ends of a range")).min;
             Range { min: end("min"), max: end("max") }
         }
-        other => panic!("{other:?} is not friction"),
+        value => Range::exactly(literal(value)),
     }
 }
