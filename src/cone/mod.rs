@@ -1,1 +1,21 @@
-//! Exact polyhedral cones.
+//! Exact polyhedral cones in any dimension, not necessarily closed.
+//!
+//! A [`Cone`] is a closed cone in both forms (face normals and generators, [`Pair`]) together with the faces that are
+//! missing from it. Everything is generic over the integer ([`crate::exact::Int`]) and exact: an operation either
+//! returns the right answer or [`Overflow`](crate::exact::Overflow), and then runs again on wider integers.
+//!
+//! Sign convention everywhere: a face normal `h` of a cone satisfies `h · x ≤ 0` on it.
+
+mod bits;
+mod cut;
+mod difference;
+mod faces;
+mod linear;
+mod nnc;
+mod pair;
+mod volume;
+
+pub use difference::{complement, subtract};
+pub use nnc::{Cone, HalfSpaces};
+pub use pair::{Generators, Pair};
+pub use volume::volume_in_box;

@@ -88,6 +88,12 @@ pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     /// [`Overflow`] if the primitive row does not fit.
     fn combine(p: &Self::Wide, a: &[Self], q: &Self::Wide, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow>;
 
+    /// Appends the primitive form of a wide row to `out`.
+    ///
+    /// # Errors
+    /// [`Overflow`] if the primitive row does not fit.
+    fn primitive(wide: &[Self::Wide], out: &mut Vec<Self>) -> Result<(), Overflow>;
+
     /// Divides `row` by the greatest common divisor of its entries.
     fn make_primitive(row: &mut [Self]);
 }
@@ -139,6 +145,14 @@ impl Int for i64 {
         for (x, y) in a.iter().zip(b) {
             let value = entry(*x, *y).ok_or(Overflow)?;
             out.push(narrow(value, divisor).ok_or(Overflow)?);
+        }
+        Ok(())
+    }
+
+    fn primitive(wide: &[i128], out: &mut Vec<Self>) -> Result<(), Overflow> {
+        let divisor = wide.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs())).max(1);
+        for value in wide {
+            out.push(narrow(*value, divisor).ok_or(Overflow)?);
         }
         Ok(())
     }
@@ -204,6 +218,13 @@ impl Int for i128 {
         Ok(())
     }
 
+    fn primitive(wide: &[i128], out: &mut Vec<Self>) -> Result<(), Overflow> {
+        let start = out.len();
+        out.extend_from_slice(wide);
+        Self::make_primitive(&mut out[start..]);
+        Ok(())
+    }
+
     fn make_primitive(row: &mut [Self]) {
         let divisor = row.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs()));
         if divisor > 1 {
@@ -248,6 +269,13 @@ impl Int for Z {
     fn combine(p: &Z, a: &[Self], q: &Z, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow> {
         let start = out.len();
         out.extend(a.iter().zip(b).map(|(x, y)| p * x + q * y));
+        Self::make_primitive(&mut out[start..]);
+        Ok(())
+    }
+
+    fn primitive(wide: &[Z], out: &mut Vec<Self>) -> Result<(), Overflow> {
+        let start = out.len();
+        out.extend_from_slice(wide);
         Self::make_primitive(&mut out[start..]);
         Ok(())
     }

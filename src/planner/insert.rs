@@ -1,44 +1,102 @@
-//! Insertion against fixels.
+//! Insertion against fixels: the wrenches that seat the part whatever the contacts do.
 
-use crate::answer::{Cone, Insertion, Stability};
-use crate::exact::Q;
-use crate::mechanics::{Mode, ModeError};
+use super::fingers::{Pushes, Wrenches, arc_set, finger_set, tilt_plane};
+use super::recommend::{Margins, recommend};
+use super::sets::{Question, Sets, check_modes, torque_reach};
+use super::to_answer::region_answer;
+use crate::answer::{EmptyReason, Insertion};
+use crate::cone::{Cone, Generators, Pair, complement, subtract};
+use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb};
+use crate::mechanics::{Contact, ContactRows, Mode, ModeError};
 use crate::model::{Fixture, Part};
 
-/// What is asked besides the sets themselves.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Question {
-    /// Wrenches to judge, `[fx, fy, torque about the center of mass]`.
-    pub wrenches: Vec<[Q; 3]>,
-    /// Modes whose cones are wanted.
-    pub modes: Vec<Mode>,
-    /// Whether the letter `s` of those modes means `a_n > 0` rather than `a_n ≥ 0`.
-    pub strict_s: bool,
-}
-
-/// The cones of the modes asked for, in the order asked.
+/// The wrenches guaranteed to seat the part from every state, and the best simple way to apply one.
+///
+/// # Source
+/// Balkcom & Trinkle (2002), §8 and §9: the complement of all transitions that do not add a contact, formula (21) and
+/// the twelve sets of Table 5, for any number of fixels.
 ///
 /// # Errors
-/// [`ModeError::Length`] for a mode with another number of letters than fixels.
-pub fn mode_cones(part: &Part, fixture: &Fixture, question: &Question) -> Result<Vec<(String, Cone)>, ModeError> {
-    let _ = (part, fixture, question);
-    todo!()
-}
-
-/// Weak and strong stability of the seated part.
-///
-/// # Errors
-/// As [`mode_cones`].
-pub fn stability(part: &Part, fixture: &Fixture, question: &Question) -> Result<Stability, ModeError> {
-    let _ = (part, fixture, question);
-    todo!()
-}
-
-/// The wrenches guaranteed to seat the part, and the best way to apply one.
-///
-/// # Errors
-/// As [`mode_cones`].
+/// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
 pub fn insertion(part: &Part, fixture: &Fixture, question: &Question) -> Result<Insertion, ModeError> {
-    let _ = (part, fixture, question);
-    todo!()
+    check_modes(fixture, question)?;
+    let contacts = Contact::of(part, fixture);
+    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: torque_reach(part) };
+    Ok(climb(&job, Rung::Word).0)
+}
+
+struct Job<'a> {
+    part: &'a Part,
+    question: &'a Question,
+    contacts: Vec<Contact>,
+    pushes: Pushes,
+    reach: Q,
+}
+
+impl Ladder for Job<'_> {
+    type Output = Insertion;
+
+    fn run<T: Int>(&self) -> Result<Insertion, Overflow> {
+        let sets = Sets::<T>::of(&self.contacts, self.question)?;
+        let (modes, holes): (Vec<Mode>, Vec<Cone<T>>) = sets.goal_holes.clone().unwrap_or_default().into_iter().unzip();
+        let is_known_empty = sets.goal_holes.is_none();
+        let cells = if is_known_empty { Vec::new() } else { complement(3, &holes)? };
+        let wrenches = if is_known_empty { Wrenches::Nothing } else { Wrenches::Outside(&holes) };
+        let hold = without(&cells, &sets.strong_holes)?;
+        let fingers = finger_set(self.part, &self.pushes, &wrenches)?;
+        let tilt = arc_set(&tilt_plane(), &wrenches)?;
+        let margins = Margins::of(&holes, self.part.gyration2());
+        let inner = cells.iter().map(Cone::inner_point).collect::<Result<Vec<_>, _>>()?;
+        Ok(Insertion {
+            goal: region_answer(&cells, holes.is_empty() && !is_known_empty, &self.reach)?,
+            hold: region_answer(
+                &hold,
+                holes.is_empty() && !is_known_empty && sets.strong_holes.is_empty(),
+                &self.reach,
+            )?,
+            empty_because: if cells.is_empty() { Some(empty_because(&sets.contacts, &modes, &holes)?) } else { None },
+            plan: recommend(self.part, &self.pushes, &fingers, &tilt, &inner, &margins),
+            fingers,
+            tilt,
+            wrenches: sets.verdicts(self.question)?,
+            modes: sets.asked_cones(),
+        })
+    }
+}
+
+fn without<T: Int>(cells: &[Cone<T>], holes: &[Cone<T>]) -> Result<Vec<Cone<T>>, Overflow> {
+    let mut cells = cells.to_vec();
+    for hole in holes {
+        cells = cells.iter().map(|cell| subtract(cell, hole)).collect::<Result<Vec<_>, _>>()?.concat();
+    }
+    Ok(cells)
+}
+
+/// Why the complement of `holes` is empty.
+fn empty_because<T: Int>(
+    contacts: &[ContactRows<T>],
+    modes: &[Mode],
+    holes: &[Cone<T>],
+) -> Result<EmptyReason, Overflow> {
+    if holes.is_empty() {
+        return Ok(EmptyReason::DependentNormals);
+    }
+    for second in 0..contacts.len() {
+        for first in 0..second {
+            let forces = [&contacts[first].static_forces, &contacts[second].static_forces];
+            let rays = Matrix::from_rows(3, forces.into_iter().flatten());
+            let balanced = Pair::from_generators(&Generators { lines: Matrix::new(3), rays })?;
+            if balanced.lines().len() == 3 {
+                return Ok(EmptyReason::PairForceClosure { fixels: [first, second] });
+            }
+        }
+    }
+    let mut needed: Vec<usize> = (0..holes.len()).collect();
+    for hole in 0..holes.len() {
+        let rest: Vec<Cone<T>> = needed.iter().filter(|n| **n != hole).map(|n| holes[*n].clone()).collect();
+        if complement(3, &rest)?.is_empty() {
+            needed.retain(|n| *n != hole);
+        }
+    }
+    Ok(EmptyReason::BlockingModes { modes: needed.iter().map(|hole| modes[*hole].to_string()).collect() })
 }

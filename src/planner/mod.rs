@@ -1,5 +1,13 @@
 //! The planners: which wrenches, finger places and tilts do what is asked, decided exactly.
 
+mod directions;
+mod fingers;
 mod insert;
+mod recommend;
+mod sets;
+mod stability;
+mod to_answer;
 
-pub use insert::{Question, insertion, mode_cones, stability};
+pub use insert::insertion;
+pub use sets::{Question, mode_cones};
+pub use stability::stability;

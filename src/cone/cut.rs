@@ -1,0 +1,207 @@
+//! Generators of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
+
+use super::bits::{BitRows, count, is_subset};
+use crate::exact::{Int, Matrix, Overflow};
+use std::cmp::Ordering;
+
+/// Lines and extreme rays, not yet in canonical form.
+pub(super) struct Cut<T> {
+    pub(super) lines: Matrix<T>,
+    pub(super) rays: Matrix<T>,
+}
+
+/// Cuts the space by all equalities and normals.
+///
+/// Lines absorb the first independent normals and leave a simplicial cone of dimension `r` (modulo lines). For `r = 3`
+/// its rays form a cycle that each further normal clips, without any adjacency test; otherwise two rays are adjacent
+/// iff no third lies on all normals that both lie on.
+///
+/// # Cost
+/// `r = 3`: O(m k) for m normals and k rays. Otherwise O(m k³) words in the worst case, O(m k²) when few pairs survive
+/// the count of common normals.
+///
+/// # Errors
+/// [`Overflow`] if a primitive row does not fit `T`.
+pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Cut<T>, Overflow> {
+    let mut implied: Option<Matrix<T>> = None;
+    loop {
+        match attempt(implied.as_ref().unwrap_or(equalities), normals)? {
+            Ok(cut) => return Ok(cut),
+            Err(flat) => implied.get_or_insert_with(|| equalities.clone()).push(normals.row(flat)),
+        }
+    }
+}
+
+/// `Err(row)` if the cone turns out to lie in the hyperplane of normal `row`: the caller starts again with an equality.
+fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result<Cut<T>, usize>, Overflow> {
+    let dim = normals.columns();
+    let mut lines = Matrix::new(dim);
+    for axis in 0..dim {
+        let mut unit = vec![T::default(); dim];
+        unit[axis] = T::unit();
+        lines.push(&unit);
+    }
+    let mut rays = Matrix::new(dim);
+    for equality in equalities.rows() {
+        if let Some((_, rest)) = split_lines(&lines, equality)? {
+            lines = rest;
+        }
+    }
+    let mut basis = Vec::new();
+    for row in 0..normals.len() {
+        if lines.is_empty() {
+            break;
+        }
+        let normal = normals.row(row);
+        if let Some((inside, rest)) = split_lines(&lines, normal)? {
+            rays = flattened(&rays, &inside, normal)?;
+            rays.push(&inside);
+            lines = rest;
+            basis.push(row);
+        }
+    }
+    let others = (0..normals.len()).filter(|row| !basis.contains(row));
+    let rays = if basis.len() == 3 { clip(rays, normals, others)? } else { describe(rays, normals, &basis, others)? };
+    Ok(rays.map(|rays| Cut { lines, rays }))
+}
+
+/// Splits the lines into one strictly inside `normal · x ≤ 0` and a basis of those on the hyperplane.
+fn split_lines<T: Int>(lines: &Matrix<T>, normal: &[T]) -> Result<Option<(Vec<T>, Matrix<T>)>, Overflow> {
+    for (index, line) in lines.rows().enumerate() {
+        let product = T::dot(normal, line)?;
+        let inside: Vec<T> = match T::wide_sign(&product) {
+            Ordering::Equal => continue,
+            Ordering::Less => line.to_vec(),
+            Ordering::Greater => line.iter().map(T::negated).collect(),
+        };
+        let mut others = Matrix::new(normal.len());
+        for (other, row) in lines.rows().enumerate() {
+            if other != index {
+                others.push(row);
+            }
+        }
+        let others = flattened(&others, &inside, normal)?;
+        return Ok(Some((inside, others)));
+    }
+    Ok(None)
+}
+
+/// Moves each row along the line `inside` onto the hyperplane of `normal`.
+fn flattened<T: Int>(rows: &Matrix<T>, inside: &[T], normal: &[T]) -> Result<Matrix<T>, Overflow> {
+    let depth = T::wide_negated(&T::dot(normal, inside)?);
+    let mut out = Matrix::new(normal.len());
+    for row in rows.rows() {
+        let product = T::dot(normal, row)?;
+        if T::wide_sign(&product).is_eq() {
+            out.push(row);
+        } else {
+            T::combine(&depth, row, &product, inside, out.entries_mut())?;
+        }
+    }
+    Ok(out)
+}
+
+/// Clips a three-dimensional cone (modulo lines) whose rays are in cyclic order.
+fn clip<T: Int>(
+    rays: Matrix<T>,
+    normals: &Matrix<T>,
+    rows: impl Iterator<Item = usize>,
+) -> Result<Result<Matrix<T>, usize>, Overflow> {
+    let mut ring = rays;
+    for row in rows {
+        let normal = normals.row(row);
+        let products = ring.rows().map(|ray| T::dot(normal, ray)).collect::<Result<Vec<_>, _>>()?;
+        let outside = products.iter().filter(|p| T::wide_sign(p).is_gt()).count();
+        if outside == 0 {
+            continue;
+        }
+        if !products.iter().any(|p| T::wide_sign(p).is_lt()) {
+            return Ok(Err(row));
+        }
+        let mut clipped = Matrix::new(normal.len());
+        for (index, product) in products.iter().enumerate() {
+            let next = (index + 1) % products.len();
+            let (here, there) = (T::wide_sign(product), T::wide_sign(&products[next]));
+            if here.is_le() {
+                clipped.push(ring.row(index));
+            }
+            if here.is_lt() && there.is_gt() {
+                crossing(&ring, index, product, next, &products[next], &mut clipped)?;
+            } else if here.is_gt() && there.is_lt() {
+                crossing(&ring, next, &products[next], index, product, &mut clipped)?;
+            }
+        }
+        ring = clipped;
+    }
+    Ok(Ok(ring))
+}
+
+/// Appends the ray between ray `inside` (negative product) and ray `outside` (positive product) on the hyperplane.
+fn crossing<T: Int>(
+    rays: &Matrix<T>,
+    inside: usize,
+    depth: &T::Wide,
+    outside: usize,
+    height: &T::Wide,
+    out: &mut Matrix<T>,
+) -> Result<(), Overflow> {
+    T::combine(height, rays.row(inside), &T::wide_negated(depth), rays.row(outside), out.entries_mut())
+}
+
+/// The double description method in any dimension, from the simplicial cone of the rows `basis`.
+fn describe<T: Int>(
+    rays: Matrix<T>,
+    normals: &Matrix<T>,
+    basis: &[usize],
+    rows: impl Iterator<Item = usize>,
+) -> Result<Result<Matrix<T>, usize>, Overflow> {
+    let common_needed = basis.len().saturating_sub(2);
+    let mut rays = rays;
+    let mut on = BitRows::new(normals.len());
+    for own in 0..basis.len() {
+        on.push(normals.len(), |row| basis.iter().any(|b| *b == row) && basis[own] != row);
+    }
+    for row in rows {
+        let normal = normals.row(row);
+        let products = rays.rows().map(|ray| T::dot(normal, ray)).collect::<Result<Vec<_>, _>>()?;
+        let products = &products;
+        let with_sign = |sign: Ordering| (0..products.len()).filter(move |r| T::wide_sign(&products[*r]) == sign);
+        if with_sign(Ordering::Greater).next().is_none() {
+            with_sign(Ordering::Equal).for_each(|ray| on.insert(ray, row));
+            continue;
+        }
+        if with_sign(Ordering::Less).next().is_none() {
+            return Ok(Err(row));
+        }
+        let mut next_rays = Matrix::new(normal.len());
+        let mut next_on = BitRows::new(normals.len());
+        for ray in (0..products.len()).filter(|ray| T::wide_sign(&products[*ray]).is_le()) {
+            next_rays.push(rays.row(ray));
+            next_on.push_words(on.row(ray).iter().copied());
+            if T::wide_sign(&products[ray]).is_eq() {
+                next_on.insert(next_rays.len() - 1, row);
+            }
+        }
+        let outside: Vec<usize> = with_sign(Ordering::Greater).collect();
+        let mut common = vec![0_u64; on.row(0).len()];
+        for inside in with_sign(Ordering::Less) {
+            for outside in outside.iter().copied() {
+                for (word, (a, b)) in common.iter_mut().zip(on.row(inside).iter().zip(on.row(outside))) {
+                    *word = a & b;
+                }
+                if count(&common) < common_needed || !are_adjacent(&on, inside, outside, &common) {
+                    continue;
+                }
+                crossing(&rays, inside, &products[inside], outside, &products[outside], &mut next_rays)?;
+                next_on.push_words(common.iter().copied());
+                next_on.insert(next_rays.len() - 1, row);
+            }
+        }
+        (rays, on) = (next_rays, next_on);
+    }
+    Ok(Ok(rays))
+}
+
+fn are_adjacent(on: &BitRows, a: usize, b: usize, common: &[u64]) -> bool {
+    !on.rows().enumerate().any(|(ray, set)| ray != a && ray != b && is_subset(common, set))
+}

@@ -1,0 +1,146 @@
+//! Missing faces of images and sums.
+
+use super::bits::{BitRows, count, has, is_subset};
+use super::linear::dot_sign;
+use super::pair::{Pair, incidence};
+use crate::exact::{Int, Matrix, Overflow};
+use std::collections::HashSet;
+
+/// A summand whose missing faces may be missing from the sum: its rays mapped into the sum's space, and for each of its
+/// missing faces the rays that span it (with the lineality space).
+pub(super) struct Summand<T> {
+    pub(super) rays: Matrix<T>,
+    pub(super) missing: BitRows,
+}
+
+/// The maximal missing faces of `sum`, each as the set of its tight facets.
+///
+/// A relatively open face of a sum is the sum of one relatively open face of each summand, those on which its tight
+/// facets vanish; it is missing iff one of those is. Faces are visited from the top down and only below present ones.
+///
+/// `None` if the sum itself is missing, that is, a summand is empty.
+pub(super) fn missing_faces<T: Int>(
+    sum: &Pair<T>,
+    summands: &[Summand<T>],
+) -> Result<Option<Vec<Vec<usize>>>, Overflow> {
+    let n_rays = sum.rays().len();
+    let n_facets = sum.facets().len();
+    let on = incidence(sum.facets(), sum.rays())?;
+    let mapped = summands.iter().map(|part| incidence(sum.facets(), &part.rays)).collect::<Result<Vec<_>, _>>()?;
+    let is_missing = |tight: &[usize]| {
+        summands.iter().zip(&mapped).any(|(part, on)| {
+            let face = common(on, tight, part.rays.len());
+            part.missing.rows().any(|gone| is_subset(&face, gone))
+        })
+    };
+    if is_missing(&[]) {
+        return Ok(None);
+    }
+    let mut missing: Vec<Vec<u64>> = Vec::new();
+    let mut seen = HashSet::new();
+    let mut open = vec![common(&on, &[], n_rays)];
+    while let Some(face) = open.pop() {
+        for below in subfaces(&on, &face) {
+            if !seen.insert(below.clone()) || missing.iter().any(|gone| is_subset(&below, gone)) {
+                continue;
+            }
+            if is_missing(&tight_facets(&on, &below, n_facets)) {
+                missing.retain(|gone| !is_subset(gone, &below));
+                missing.push(below);
+            } else {
+                open.push(below);
+            }
+        }
+    }
+    let mut tight: Vec<Vec<usize>> = missing.iter().map(|face| tight_facets(&on, face, n_facets)).collect();
+    tight.sort();
+    Ok(Some(tight))
+}
+
+/// Every face as a ray set, larger before smaller along each chain.
+pub(super) fn all_faces(on: &BitRows, n_rays: usize) -> Vec<Vec<u64>> {
+    let mut faces = vec![common(on, &[], n_rays)];
+    let mut seen: HashSet<Vec<u64>> = faces.iter().cloned().collect();
+    let mut next = 0;
+    while next < faces.len() {
+        for below in subfaces(on, &faces[next]) {
+            if seen.insert(below.clone()) {
+                faces.push(below);
+            }
+        }
+        next += 1;
+    }
+    faces
+}
+
+/// Facets of a face, as ray sets: its maximal proper intersections with facets of the cone.
+pub(super) fn subfaces(on: &BitRows, face: &[u64]) -> Vec<Vec<u64>> {
+    let mut maximal: Vec<Vec<u64>> = Vec::new();
+    for facet in on.rows() {
+        let below: Vec<u64> = face.iter().zip(facet).map(|(a, b)| a & b).collect();
+        if below == face || maximal.iter().any(|kept| is_subset(&below, kept)) {
+            continue;
+        }
+        maximal.retain(|kept| !is_subset(kept, &below));
+        maximal.push(below);
+    }
+    maximal
+}
+
+/// Rays on all `facets`.
+pub(super) fn common(on: &BitRows, facets: &[usize], n_rays: usize) -> Vec<u64> {
+    let mut all = BitRows::new(n_rays);
+    all.push(n_rays, |_| true);
+    let mut rays = all.row(0).to_vec();
+    for facet in facets {
+        rays.iter_mut().zip(on.row(*facet)).for_each(|(word, other)| *word &= other);
+    }
+    rays
+}
+
+/// Facets that contain all rays of `face`.
+pub(super) fn tight_facets(on: &BitRows, face: &[u64], n_facets: usize) -> Vec<usize> {
+    (0..n_facets).filter(|facet| is_subset(face, on.row(*facet))).collect()
+}
+
+/// The maximal faces cut off by strict normals that are valid for the closure; `None` if one cuts off everything.
+pub(super) fn faces_of_strict_normals<T: Int>(
+    pair: &Pair<T>,
+    strict: &Matrix<T>,
+) -> Result<Option<Vec<Vec<usize>>>, Overflow> {
+    let n_rays = pair.rays().len();
+    if strict.is_empty() {
+        return Ok(Some(Vec::new()));
+    }
+    let mut maximal: Vec<Vec<u64>> = Vec::new();
+    for normal in strict.rows() {
+        let mut face = BitRows::new(n_rays);
+        let signs = pair.rays().rows().map(|ray| dot_sign(normal, ray)).collect::<Result<Vec<_>, _>>()?;
+        face.push(n_rays, |ray| signs[ray].is_eq());
+        let face = face.row(0);
+        if count(face) == n_rays {
+            return Ok(None);
+        }
+        if maximal.iter().any(|kept| is_subset(face, kept)) {
+            continue;
+        }
+        maximal.retain(|kept| !is_subset(kept, face));
+        maximal.push(face.to_vec());
+    }
+    let on = incidence(pair.facets(), pair.rays())?;
+    let mut tight: Vec<_> = maximal.iter().map(|face| tight_facets(&on, face, pair.facets().len())).collect();
+    tight.sort();
+    Ok(Some(tight))
+}
+
+/// For each missing face (a set of tight facets) the rays on it.
+pub(super) fn rays_of_missing<T: Int>(pair: &Pair<T>, missing: &[Vec<usize>]) -> Result<BitRows, Overflow> {
+    let n_rays = pair.rays().len();
+    let on = incidence(pair.facets(), pair.rays())?;
+    let mut rows = BitRows::new(n_rays);
+    for tight in missing {
+        let face = common(&on, tight, n_rays);
+        rows.push(n_rays, |ray| has(&face, ray));
+    }
+    Ok(rows)
+}

@@ -1,0 +1,160 @@
+//! Closed cones in both forms, minimal and canonical.
+
+use super::bits::{BitRows, count, has, is_subset};
+use super::cut::cut_space;
+use super::faces::all_faces;
+use super::linear::{Echelon, dot_sign, echelon, is_zero};
+use crate::exact::{Int, Matrix, Overflow};
+
+/// A closed polyhedral cone by its face normals and by its generators, both minimal and canonical.
+///
+/// Equal cones are equal values: equalities and lines are bases in reduced row echelon form with positive pivots,
+/// facet normals are zero in the pivot columns of the equalities and rays in those of the lines, all rows are coprime,
+/// normals and rays are sorted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pair<T> {
+    equalities: Matrix<T>,
+    facets: Matrix<T>,
+    lines: Matrix<T>,
+    rays: Matrix<T>,
+}
+
+/// Span form of a cone: all `L y + R z` with `z ≥ 0`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Generators<T> {
+    /// Lines, one a row.
+    pub lines: Matrix<T>,
+    /// Rays, one a row.
+    pub rays: Matrix<T>,
+}
+
+impl<T: Int> Pair<T> {
+    /// The cone `{x : equalities · x = 0, normals · x ≤ 0}`.
+    ///
+    /// # Errors
+    /// [`Overflow`] if a primitive row does not fit `T`.
+    pub fn from_normals(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Self, Overflow> {
+        let cut = cut_space(equalities, normals)?;
+        let lines = echelon(&cut.lines)?;
+        let rays = canonical_rows(&lines, cut.rays.rows())?;
+        let on = incidence(normals, &rays)?;
+        let mut span_complement = equalities.clone();
+        let is_implied = |row: usize| count(on.row(row)) == rays.len();
+        for row in (0..normals.len()).filter(|row| is_implied(*row) && !is_zero(normals.row(*row))) {
+            span_complement.push(normals.row(row));
+        }
+        let equalities = echelon(&span_complement)?;
+        let facets = facet_rows(&on, rays.len());
+        let facets = canonical_rows(&equalities, facets.into_iter().map(|row| normals.row(row)))?;
+        Ok(Self { equalities: equalities.rows, facets, lines: lines.rows, rays })
+    }
+
+    /// The cone that `generators` span.
+    ///
+    /// # Errors
+    /// [`Overflow`] if a primitive row does not fit `T`.
+    pub fn from_generators(generators: &Generators<T>) -> Result<Self, Overflow> {
+        Self::from_normals(&generators.lines, &generators.rays).map(Self::into_polar)
+    }
+
+    /// The polar cone `{h : h · x ≤ 0 for all x in the cone}`: the two forms change places.
+    #[must_use]
+    pub fn into_polar(self) -> Self {
+        Self { equalities: self.lines, facets: self.rays, lines: self.equalities, rays: self.facets }
+    }
+
+    /// Dimension of the space around the cone.
+    #[must_use]
+    pub fn ambient(&self) -> usize {
+        self.facets.columns()
+    }
+
+    /// Dimension of the cone's span.
+    #[must_use]
+    pub fn dim(&self) -> usize {
+        self.ambient() - self.equalities.len()
+    }
+
+    /// Basis of the orthogonal complement of the span.
+    #[must_use]
+    pub fn equalities(&self) -> &Matrix<T> {
+        &self.equalities
+    }
+
+    /// Outward facet normals: `normal · x ≤ 0`.
+    #[must_use]
+    pub fn facets(&self) -> &Matrix<T> {
+        &self.facets
+    }
+
+    /// Basis of the lineality space.
+    #[must_use]
+    pub fn lines(&self) -> &Matrix<T> {
+        &self.lines
+    }
+
+    /// Extreme rays modulo the lines.
+    #[must_use]
+    pub fn rays(&self) -> &Matrix<T> {
+        &self.rays
+    }
+
+    /// All faces, the cone itself included, each as the indices of its rays (the lines belong to every face).
+    ///
+    /// # Errors
+    /// [`Overflow`] if a dot product does not fit.
+    pub fn faces(&self) -> Result<Vec<Vec<usize>>, Overflow> {
+        let n_rays = self.rays.len();
+        let on = incidence(&self.facets, &self.rays)?;
+        let faces = all_faces(&on, n_rays);
+        Ok(faces.iter().map(|face| (0..n_rays).filter(|ray| has(face, *ray)).collect()).collect())
+    }
+
+    /// Whether `x` satisfies all equalities and facets.
+    ///
+    /// # Errors
+    /// [`Overflow`] if a dot product does not fit.
+    pub fn contains(&self, x: &[T]) -> Result<bool, Overflow> {
+        for equality in self.equalities.rows() {
+            if dot_sign(equality, x)?.is_ne() {
+                return Ok(false);
+            }
+        }
+        for facet in self.facets.rows() {
+            if dot_sign(facet, x)?.is_gt() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+/// For each normal the set of rays on its hyperplane.
+pub(super) fn incidence<T: Int>(normals: &Matrix<T>, rays: &Matrix<T>) -> Result<BitRows, Overflow> {
+    let mut on = BitRows::new(rays.len());
+    for normal in normals.rows() {
+        let signs = rays.rows().map(|ray| dot_sign(normal, ray)).collect::<Result<Vec<_>, _>>()?;
+        on.push(rays.len(), |ray| signs[ray].is_eq());
+    }
+    Ok(on)
+}
+
+/// One normal for each facet: those whose ray sets are proper and maximal.
+fn facet_rows(on: &BitRows, n_rays: usize) -> Vec<usize> {
+    let sets: Vec<&[u64]> = on.rows().collect();
+    let mut facets: Vec<usize> = Vec::new();
+    for (row, set) in sets.iter().enumerate() {
+        if count(set) == n_rays || facets.iter().any(|kept| is_subset(set, sets[*kept])) {
+            continue;
+        }
+        facets.retain(|kept| !is_subset(sets[*kept], set));
+        facets.push(row);
+    }
+    facets
+}
+
+fn canonical_rows<'a, T: Int>(modulo: &Echelon<T>, rows: impl Iterator<Item = &'a [T]>) -> Result<Matrix<T>, Overflow> {
+    let mut reduced = rows.map(|row| modulo.reduce(row)).collect::<Result<Vec<_>, _>>()?;
+    reduced.sort();
+    Ok(Matrix::from_rows(modulo.rows.columns(), reduced))
+}

@@ -1,0 +1,127 @@
+//! Finger places and tilts as planes of wrenches.
+
+use super::directions::{PlanarSet, Run};
+use crate::answer::{Arc, ArcSet, EdgeFingers, FingerSet, Interval};
+use crate::cone::Cone;
+use crate::exact::{Int, Overflow, Q, Z, primitive_row};
+use crate::geometry::Polygon;
+use crate::model::{Part, Shape};
+
+/// The wrenches of every simple way to push or tilt a part, in integers of any size.
+pub(super) struct Pushes {
+    /// One plane per edge of a polygon, from the wrench at its first vertex to that at its last; none for a circle.
+    pub(super) edges: Vec<[Vec<Z>; 2]>,
+    /// For a circle: the plane that maps the direction from the center to the finger to the wrench of its push.
+    pub(super) circle: Option<[Vec<Z>; 2]>,
+}
+
+/// A set of wrenches to intersect with the pushes.
+pub(super) enum Wrenches<'a, T> {
+    /// Those in a cone, which may be empty.
+    Inside(Option<&'a Cone<T>>),
+    /// Those outside of all cones.
+    Outside(&'a [Cone<T>]),
+    /// None.
+    Nothing,
+}
+
+impl Pushes {
+    pub(super) fn of(part: &Part) -> Self {
+        let com = &part.center_of_mass;
+        match &part.shape {
+            Shape::Polygon(polygon) => {
+                let edges = (0..polygon.vertices().len()).map(|edge| edge_plane(polygon, edge, com)).collect();
+                Self { edges, circle: None }
+            }
+            Shape::Circle { center, .. } => {
+                // the push -u at c + r u has torque (c - com) x (-u), whatever the radius
+                let arm = [&center[0] - &com[0], &center[1] - &com[1]];
+                let columns = [-one(), zero(), arm[1].clone(), zero(), -one(), -arm[0].clone()];
+                Self { edges: Vec::new(), circle: Some(plane(&columns)) }
+            }
+        }
+    }
+}
+
+/// The plane of forces through the center of mass.
+pub(super) fn tilt_plane() -> [Vec<Z>; 2] {
+    plane(&[one(), zero(), zero(), zero(), one(), zero()])
+}
+
+/// Wrench of a push on `edge` at its first and at its last vertex, with one common factor.
+fn edge_plane(polygon: &Polygon, edge: usize, com: &[Q; 2]) -> [Vec<Z>; 2] {
+    let [a, b] = polygon.edge(edge);
+    let normal = [&a[1] - &b[1], &b[0] - &a[0]];
+    let torque = |p: &[Q; 2]| (&p[0] - &com[0]) * &normal[1] - (&p[1] - &com[1]) * &normal[0];
+    let (first, last) = (torque(a), torque(b));
+    let [x, y] = normal;
+    plane(&[x.clone(), y.clone(), first, x, y, last])
+}
+
+fn plane(columns: &[Q; 6]) -> [Vec<Z>; 2] {
+    let row = primitive_row(columns);
+    [row[..3].to_vec(), row[3..].to_vec()]
+}
+
+/// Finger places in a set.
+pub(super) fn finger_set<T: Int>(part: &Part, pushes: &Pushes, wrenches: &Wrenches<T>) -> Result<FingerSet, Overflow> {
+    if let Some(plane) = &pushes.circle {
+        return arc_set(plane, wrenches).map(FingerSet::Arcs);
+    }
+    let Shape::Polygon(polygon) = &part.shape else { return Ok(FingerSet::Edges(Vec::new())) };
+    let mut edges = Vec::new();
+    for (edge, plane) in pushes.edges.iter().enumerate() {
+        let Some(set) = wrenches.seen_from(plane)? else { continue };
+        let runs = set.runs_in_quadrant()?;
+        if !runs.is_empty() {
+            let intervals = runs.iter().map(|run| interval(polygon, edge, run)).collect();
+            edges.push(EdgeFingers { edge, intervals });
+        }
+    }
+    Ok(FingerSet::Edges(edges))
+}
+
+/// Directions of a plane whose wrenches are in a set.
+pub(super) fn arc_set<T: Int>(plane: &[Vec<Z>; 2], wrenches: &Wrenches<T>) -> Result<ArcSet, Overflow> {
+    let Some(set) = wrenches.seen_from(plane)? else { return Ok(ArcSet { all: false, arcs: Vec::new() }) };
+    let (runs, all) = set.runs_around()?;
+    let direction = |d: &[T; 2]| [d[0].to_z(), d[1].to_z()];
+    let arcs = runs.iter().map(|run| Arc { from: direction(&run.from), to: direction(&run.to), closed: run.closed });
+    Ok(ArcSet { all, arcs: arcs.collect() })
+}
+
+impl<T: Int> Wrenches<'_, T> {
+    fn seen_from(&self, plane: &[Vec<Z>; 2]) -> Result<Option<PlanarSet<T>>, Overflow> {
+        let narrow = |row: &[Z]| row.iter().map(|v| T::from_z(v).ok_or(Overflow)).collect::<Result<Vec<T>, _>>();
+        let map = [narrow(&plane[0])?, narrow(&plane[1])?];
+        match self {
+            Self::Inside(cone) => PlanarSet::inside(*cone, &map).map(Some),
+            Self::Outside(holes) => PlanarSet::outside(holes, &map).map(Some),
+            Self::Nothing => Ok(None),
+        }
+    }
+}
+
+fn interval<T: Int>(polygon: &Polygon, edge: usize, run: &Run<T>) -> Interval {
+    let share = |[first, last]: &[T; 2]| {
+        let (first, last) = (first.to_z(), last.to_z());
+        Q::new(last.clone(), first + last)
+    };
+    let s = [share(&run.from), share(&run.to)];
+    let points = [point_on_edge(polygon, edge, &s[0]), point_on_edge(polygon, edge, &s[1])];
+    Interval { s, closed: run.closed, points }
+}
+
+/// The point at share `s` of an edge.
+pub(super) fn point_on_edge(polygon: &Polygon, edge: usize, s: &Q) -> [Q; 2] {
+    let [a, b] = polygon.edge(edge);
+    [&a[0] + (&b[0] - &a[0]) * s, &a[1] + (&b[1] - &a[1]) * s]
+}
+
+fn one() -> Q {
+    Q::from(Z::from(1))
+}
+
+fn zero() -> Q {
+    Q::from(Z::from(0))
+}

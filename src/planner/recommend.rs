@@ -1,0 +1,171 @@
+//! The push or tilt with the largest margin.
+
+use super::fingers::{Pushes, point_on_edge, tilt_plane};
+use crate::answer::{Action, Arc, ArcSet, FingerSet, Interval, Recommendation};
+use crate::cone::Cone;
+use crate::exact::{Int, Q, Z, approximate, from_float_exact, primitive_row, ratio, to_f64};
+use crate::model::{Part, Shape};
+use num_traits::{Signed, Zero};
+
+/// Certified lower bounds on the distance of a wrench from the cones it must avoid.
+///
+/// In the norm fx² + fy² + torque²/ρ² a cone that violates none of `{h · g ≤ 0}` is at least as far from `g` as the
+/// farthest of these half-spaces.
+pub(super) struct Margins {
+    /// Per cone its conditions: normal and squared dual norm hx² + hy² + ρ² ht².
+    holes: Vec<Vec<(Vec<Z>, Q)>>,
+    rho2: Q,
+}
+
+impl Margins {
+    pub(super) fn of<T: Int>(holes: &[Cone<T>], rho2: Q) -> Self {
+        let conditions = |cone: &Cone<T>| {
+            let pair = cone.closure();
+            let exact = |row: &[T]| row.iter().map(T::to_z).collect::<Vec<Z>>();
+            let facets = pair.facets().rows().map(exact);
+            let sides = pair.equalities().rows().map(exact).flat_map(|row| {
+                let opposite = row.iter().map(|value| -value).collect();
+                [row, opposite]
+            });
+            let with_norm = |normal: Vec<Z>| {
+                let norm2 = dual_norm2(&normal, &rho2);
+                (normal, norm2)
+            };
+            facets.chain(sides).map(with_norm).collect()
+        };
+        Self { holes: holes.iter().map(conditions).collect(), rho2 }
+    }
+
+    /// Lower bound on the squared distance of `wrench` from the nearest cone, over its squared length.
+    fn margin2(&self, wrench: &[Q]) -> Q {
+        let row = primitive_row(wrench);
+        let square = |value: &Z| Q::from(value * value);
+        let length2 = square(&row[0]) + square(&row[1]) + square(&row[2]) / &self.rho2;
+        let from_hole = |conditions: &Vec<(Vec<Z>, Q)>| {
+            let reach = |(normal, norm2): &(Vec<Z>, Q)| {
+                let height: Z = normal.iter().zip(&row).map(|(h, g)| h * g).sum();
+                if height.is_positive() { square(&height) / norm2 } else { Q::zero() }
+            };
+            conditions.iter().map(reach).max().unwrap_or_else(Q::zero)
+        };
+        self.holes.iter().map(from_hole).min().map_or_else(Q::zero, |distance2| distance2 / length2)
+    }
+}
+
+fn dual_norm2(normal: &[Z], rho2: &Q) -> Q {
+    Q::from(&normal[0] * &normal[0] + &normal[1] * &normal[1]) + rho2 * Q::from(&normal[2] * &normal[2])
+}
+
+/// Of one candidate in each interval and arc (places along the widest-margined interval are then refined) the one with
+/// the largest margin; a bare wrench if nothing simpler is in the set.
+pub(super) fn recommend<T: Int>(
+    part: &Part,
+    pushes: &Pushes,
+    fingers: &FingerSet,
+    tilt: &ArcSet,
+    inner: &[Vec<T>],
+    margins: &Margins,
+) -> Option<Recommendation> {
+    let mut candidates = Vec::new();
+    match (fingers, &part.shape) {
+        (FingerSet::Edges(edges), Shape::Polygon(_)) => {
+            for fingers in edges {
+                for interval in &fingers.intervals {
+                    candidates.push(best_in_interval(part, pushes, fingers.edge, interval, margins));
+                }
+            }
+        }
+        (FingerSet::Arcs(arcs), _) => {
+            let plane = pushes.circle.as_ref()?;
+            for (arc, direction) in middles(arcs) {
+                let wrench = along(plane, &direction);
+                candidates.push((margins.margin2(&wrench), Action::PushArc { arc, direction }, wrench));
+            }
+        }
+        (FingerSet::Edges(_), Shape::Circle { .. }) => {}
+    }
+    for (arc, direction) in middles(tilt) {
+        let wrench = along(&tilt_plane(), &direction);
+        candidates.push((margins.margin2(&wrench), Action::Tilt { arc, direction }, wrench));
+    }
+    if candidates.is_empty() {
+        candidates.extend(inner.iter().map(|point| {
+            let wrench: Vec<Q> = point.iter().map(|value| Q::from(value.to_z())).collect();
+            let wrench = <[Q; 3]>::try_from(wrench).expect("wrenches have three components");
+            (margins.margin2(&wrench), Action::Wrench, wrench)
+        }));
+    }
+    // the first of equals: fingers before tilts, edges in order
+    let best = candidates.into_iter().rev().max_by(|a, b| a.0.cmp(&b.0))?;
+    Some(Recommendation { margin2: best.0, action: best.1, wrench: best.2 })
+}
+
+/// The place with the largest margin among eighths of the interval.
+fn best_in_interval(
+    part: &Part,
+    pushes: &Pushes,
+    edge: usize,
+    interval: &Interval,
+    margins: &Margins,
+) -> (Q, Action, [Q; 3]) {
+    let [low, high] = &interval.s;
+    let place = |eighth: i64| {
+        let s = low + (high - low) * ratio(eighth, 8);
+        let wrench = between(&pushes.edges[edge], &s);
+        (margins.margin2(&wrench), s, wrench)
+    };
+    let middle = place(4);
+    let others = [3, 5, 2, 6, 1, 7].into_iter().map(place);
+    let (margin2, s, wrench) = others.fold(middle, |best, other| if other.0 > best.0 { other } else { best });
+    let Shape::Polygon(polygon) = &part.shape else { unreachable!("only polygons have edges") };
+    let point = point_on_edge(polygon, edge, &s);
+    let [a, b] = polygon.edge(edge);
+    let direction = [&a[1] - &b[1], &b[0] - &a[0]];
+    (margin2, Action::PushEdge { edge, interval: interval.clone(), s, point, direction }, wrench)
+}
+
+fn between(plane: &[Vec<Z>; 2], s: &Q) -> [Q; 3] {
+    [0, 1, 2].map(|axis| Q::from(plane[0][axis].clone()) + Q::from(&plane[1][axis] - &plane[0][axis]) * s)
+}
+
+fn along(plane: &[Vec<Z>; 2], direction: &[Z; 2]) -> [Q; 3] {
+    [0, 1, 2].map(|axis| Q::from(&plane[0][axis] * &direction[0] + &plane[1][axis] * &direction[1]))
+}
+
+/// A direction about the middle of each arc; any direction does where all are in the set.
+fn middles(arcs: &ArcSet) -> Vec<(Option<Arc>, [Z; 2])> {
+    if arcs.all {
+        return vec![(None, [Z::from(0), Z::from(-1)])];
+    }
+    arcs.arcs.iter().map(|arc| (Some(arc.clone()), middle(arc))).collect()
+}
+
+/// A short exact direction near the bisector of an arc, strictly inside unless the arc is a single direction.
+fn middle(arc: &Arc) -> [Z; 2] {
+    let [from, to] = [&arc.from, &arc.to];
+    let cross = &from[0] * &to[1] - &from[1] * &to[0];
+    let dot = &from[0] * &to[0] + &from[1] * &to[1];
+    if cross.is_zero() && dot.is_positive() {
+        let opposite = [-&from[0], -&from[1]];
+        return if arc.closed[0] { from.clone() } else { opposite };
+    }
+    if !cross.is_positive() {
+        // half a turn or more: the opposite of the middle of the gap, or square to both ends
+        let gap = middle_of_wedge(to, from);
+        return if cross.is_zero() { [-&from[1], from[0].clone()] } else { [-&gap[0], -&gap[1]] };
+    }
+    middle_of_wedge(from, to)
+}
+
+/// For a wedge of less than half a turn: the sum of its ends at about equal lengths, in short integers.
+fn middle_of_wedge(from: &[Z; 2], to: &[Z; 2]) -> [Z; 2] {
+    let length = |d: &[Z; 2]| to_f64(&Q::from(&d[0] * &d[0] + &d[1] * &d[1])).sqrt();
+    let share = from_float_exact(length(from) / length(to)).filter(Signed::is_positive).unwrap_or_else(|| ratio(1, 1));
+    let sum = |share: &Q| {
+        let row = [0, 1].map(|axis| Q::from(from[axis].clone()) + Q::from(to[axis].clone()) * share);
+        let row = primitive_row(&row);
+        [row[0].clone(), row[1].clone()]
+    };
+    let tolerance = &share * ratio(1, 1_000);
+    sum(&approximate(&share, &tolerance))
+}

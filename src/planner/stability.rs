@@ -1,0 +1,67 @@
+//! Weak and strong stability of the seated part.
+
+use super::fingers::{Pushes, Wrenches, arc_set, finger_set, tilt_plane};
+use super::sets::{Question, Sets, check_modes, torque_reach};
+use super::to_answer::{cone_answer, region_answer};
+use crate::answer::Stability;
+use crate::cone::{Cone, HalfSpaces, complement};
+use crate::exact::{Int, Ladder, Overflow, Q, Rung, climb};
+use crate::mechanics::{Contact, ModeError};
+use crate::model::{Fixture, Part};
+
+/// Which wrenches the seated part resists: weakly (some solution is at rest) and strongly (every solution is).
+///
+/// # Source
+/// Balkcom & Trinkle (2002), §7, formula (19); strong stability takes `s` as breaking contact (`a_n > 0`).
+///
+/// # Errors
+/// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
+pub fn stability(part: &Part, fixture: &Fixture, question: &Question) -> Result<Stability, ModeError> {
+    check_modes(fixture, question)?;
+    let contacts = Contact::of(part, fixture);
+    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: torque_reach(part) };
+    Ok(climb(&job, Rung::Word).0)
+}
+
+struct Job<'a> {
+    part: &'a Part,
+    question: &'a Question,
+    contacts: Vec<Contact>,
+    pushes: Pushes,
+    reach: Q,
+}
+
+impl Ladder for Job<'_> {
+    type Output = Stability;
+
+    fn run<T: Int>(&self) -> Result<Stability, Overflow> {
+        let sets = Sets::<T>::of(&self.contacts, self.question)?;
+        let cells = complement(3, &sets.strong_holes)?;
+        let interior = interior(&sets.weak)?;
+        let (weak, strong) = (Wrenches::Inside(Some(&sets.weak)), Wrenches::Outside(&sets.strong_holes));
+        let fingers = |wrenches: &Wrenches<T>| finger_set(self.part, &self.pushes, wrenches);
+        Ok(Stability {
+            weak: cone_answer(Some(&sets.weak)),
+            force_closure: sets.weak.is_everything(),
+            strong: region_answer(&cells, sets.strong_holes.is_empty(), &self.reach)?,
+            feasible_modes: sets.feasible.iter().map(ToString::to_string).collect(),
+            closure_fingers: fingers(&Wrenches::Inside(interior.as_ref()))?,
+            weak_fingers: fingers(&weak)?,
+            strong_fingers: fingers(&strong)?,
+            weak_tilt: arc_set(&tilt_plane(), &weak)?,
+            strong_tilt: arc_set(&tilt_plane(), &strong)?,
+            wrenches: sets.verdicts(self.question)?,
+            modes: sets.asked_cones(),
+        })
+    }
+}
+
+/// The interior of a closed cone, `None` if it has none.
+fn interior<T: Int>(cone: &Cone<T>) -> Result<Option<Cone<T>>, Overflow> {
+    if cone.closure().dim() < cone.closure().ambient() {
+        return Ok(None);
+    }
+    let mut open = HalfSpaces::none(cone.closure().ambient());
+    open.strict = cone.closure().facets().clone();
+    Cone::from_half_spaces(&open)
+}
