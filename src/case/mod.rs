@@ -1,6 +1,26 @@
 //! Case files: JSON text read exactly, every fault reported at once.
 
-use crate::model::{Fixture, Part};
+mod fault;
+mod fixels;
+mod friction;
+mod part;
+mod reader;
+mod render;
+mod show;
+mod suggest;
+mod text;
+
+pub use fault::{Fault, FaultKind, Related, SyntaxFault};
+pub use render::render;
+
+use crate::model::{Fixture, LengthUnit, Part};
+use jsonc_parser::ast::Value;
+use reader::{Path, Reader, span_of};
+use show::clipped;
+use text::SMALLEST_CASE;
+
+/// The smallest `insert` section.
+const SMALLEST_INSERT: &str = r#""insert": {"fixels": [{"at": [0.5, 0], "friction": 0.2}]}"#;
 
 /// What a case file says.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,12 +55,77 @@ impl Default for Limits {
 /// Reads a case file.
 ///
 /// # Errors
-/// Every fault of the file at once.
+/// Every fault of the file at once, by position; a text that is not JSON has one.
+///
+/// # Examples
+/// ```
+/// use partplan::case::{Limits, read};
+/// let case = read(br#"{"part": {"shape": {"polygon": [[0, 0], [1, 0], [0, 1]]}}}"#, &Limits::default()).unwrap();
+/// assert_eq!(case.fixture, None);
+/// let faults = read(br#"{"part": {"shap": 1}}"#, &Limits::default()).unwrap_err();
+/// assert_eq!(faults.iter().map(|fault| fault.code()).collect::<Vec<_>>(), ["C014", "C011"]);
+/// ```
 pub fn read(bytes: &[u8], limits: &Limits) -> Result<Case, Vec<Fault>> {
-    let _ = (bytes, limits);
-    todo!()
+    let text = text::decode(bytes, limits.bytes).map_err(|fault| vec![fault])?;
+    let tree = text::parse(text).map_err(|fault| vec![fault])?;
+    let mut reader = Reader::default();
+    match reader.case(&tree, limits) {
+        Some(case) if !reader.has_faults() => Ok(Case { warnings: reader.warnings, ..case }),
+        _ => Err(reader.into_faults()),
+    }
 }
 
-/// One thing that is wrong with a case file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Fault {}
+/// The fault of a case without the section that a task needs, showing the smallest one that would do.
+#[must_use]
+pub fn missing_section(section: &'static str) -> Fault {
+    let example = match section {
+        "part" => SMALLEST_CASE,
+        "insert" => SMALLEST_INSERT,
+        "pins" => r#""pins": {"belt_friction": 0.5, "pin_friction": 0.1}"#,
+        "throw" => r#""throw": {"offset": 0, "release_deg_per_s": 320}"#,
+        _ => "",
+    };
+    let fault = Fault::new(FaultKind::MissingSection { section }).on(section.to_string());
+    if example.is_empty() { fault } else { fault.help(format!("the smallest one is {example}")) }
+}
+
+impl Reader {
+    fn case(&mut self, tree: &Value, limits: &Limits) -> Option<Case> {
+        let known = ["name", "length_unit", "part", "insert", "pins", "throw", "scene"];
+        let path = Path::document();
+        let fields = self.fields(tree, &path, &known, SMALLEST_CASE)?;
+        let name = fields.get("name").map(|value| self.string(value, &path.key("name"), "write \"name\": \"bracket\""));
+        let unit = match fields.get("length_unit") {
+            Some(value) => self.length_unit(value, &path.key("length_unit")),
+            None => Some(LengthUnit::default()),
+        };
+        let (shape, part) = match fields.get("part") {
+            Some(value) => self.part(value, &path.key("part"), unit.unwrap_or_default(), limits),
+            None => {
+                self.push(missing_section("part").at(fields.span.clone()));
+                (None, None)
+            }
+        };
+        let fixture =
+            fields.get("insert").map(|value| self.fixture(value, &path.key("insert"), shape.as_ref(), limits));
+        unit?;
+        Some(Case {
+            name: name.flatten().map(String::from),
+            part: part?,
+            fixture: fixture.flatten(),
+            warnings: Vec::new(),
+        })
+    }
+
+    fn length_unit(&mut self, value: &Value, path: &Path) -> Option<LengthUnit> {
+        let help = "write \"m\", \"cm\" or \"mm\"";
+        let text = self.string(value, path, help)?;
+        let units = [LengthUnit::Metre, LengthUnit::Centimetre, LengthUnit::Millimetre];
+        let unit = units.into_iter().find(|unit| unit.symbol() == text);
+        if unit.is_none() {
+            let kind = FaultKind::UnknownWord { what: "unit of length", text: clipped(text) };
+            self.fault(kind, span_of(value), path, help);
+        }
+        unit
+    }
+}
