@@ -4,7 +4,12 @@ pub mod json;
 pub mod svg;
 pub mod text;
 
-use crate::model::{Fixture, Part};
+mod decimal;
+mod phrase;
+
+use crate::exact::Q;
+use crate::model::{Fixture, Part, Shape};
+use num_traits::Signed as _;
 
 /// What an answer is about.
 #[derive(Debug, Clone, Copy)]
@@ -17,4 +22,24 @@ pub struct Subject<'a> {
     pub fixture: &'a Fixture,
     /// Warnings of the reader.
     pub warnings: &'a [String],
+}
+
+impl Subject<'_> {
+    /// Largest coordinate distance of the outline from the center of mass: the torque side of the box that measures
+    /// volumes.
+    fn reach(&self) -> Q {
+        let com = &self.part.center_of_mass;
+        match &self.part.shape {
+            Shape::Polygon(polygon) => polygon
+                .vertices()
+                .iter()
+                .flat_map(|vertex| [(&vertex[0] - &com[0]).abs(), (&vertex[1] - &com[1]).abs()])
+                .max()
+                .expect("a polygon has vertices"),
+            Shape::Circle { center, radius } => {
+                let offset = [(&center[0] - &com[0]).abs(), (&center[1] - &com[1]).abs()];
+                offset.into_iter().max().expect("two coordinates") + radius
+            }
+        }
+    }
 }

@@ -1,0 +1,72 @@
+//! How a run ends.
+
+use partplan::mechanics::ModeError;
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// How a run that was not stopped by bad input ended; the only place where exit codes are written down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// A plan was found or a report made: 0.
+    Yes,
+    /// It is proved that no plan exists: 1. (2 is every failure, as in clap.)
+    No,
+}
+
+/// Why there is no answer: exit status 2.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The case file is wrong; the faults are already set in type.
+    #[error("{0}")]
+    Case(String),
+    /// The case file cannot be read.
+    #[error("error: cannot read {path}: {source}")]
+    Read { path: String, source: io::Error },
+    /// A folder was given.
+    #[error("error: {path} is a folder; give one case file, for example {path}/part.json")]
+    Folder { path: String },
+    /// A mode does not fit the case.
+    #[error("error: {0}")]
+    Mode(#[from] ModeError),
+    /// A drawing cannot be written.
+    #[error("error: cannot write {}: {source}", path.display())]
+    Picture { path: PathBuf, source: io::Error },
+    /// Standard output cannot be written.
+    #[error("error: cannot write the answer: {0}")]
+    Write(#[from] io::Error),
+}
+
+/// Says on standard error what failed, if anything, and gives the exit status.
+///
+/// A reader that closes the pipe has seen enough: that is no failure.
+pub fn end(result: Result<Outcome, Failure>) -> ExitCode {
+    match result {
+        Ok(Outcome::Yes) => ExitCode::SUCCESS,
+        Ok(Outcome::No) => ExitCode::from(1),
+        Err(Failure::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(failure) => {
+            super::output::complain(failure.to_string().trim_end());
+            ExitCode::from(2)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn status(result: Result<Outcome, Failure>) -> String {
+        format!("{:?}", end(result))
+    }
+
+    #[test]
+    fn answers_are_not_errors_and_a_closed_pipe_is_no_failure() {
+        let code = |code: u8| format!("{:?}", ExitCode::from(code));
+        assert_eq!(status(Ok(Outcome::Yes)), code(0));
+        assert_eq!(status(Ok(Outcome::No)), code(1));
+        assert_eq!(status(Err(Failure::Write(io::ErrorKind::BrokenPipe.into()))), code(0));
+        assert_eq!(status(Err(Failure::Write(io::ErrorKind::StorageFull.into()))), code(2));
+        assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned() })), code(2));
+    }
+}

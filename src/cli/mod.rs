@@ -1,0 +1,49 @@
+//! All input and output of the `plan` command; one file a command.
+
+mod common;
+mod cone;
+mod failure;
+mod input;
+mod insert;
+mod output;
+mod stable;
+
+pub use failure::{Failure, Outcome, end};
+
+use clap::{Parser, Subcommand};
+use std::io::Write;
+
+/// Plan how parts are fed, oriented and fixtured, exactly
+#[derive(Debug, Parser)]
+#[command(name = "plan", version, arg_required_else_help = true, after_help = AFTER_HELP)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Exit status: 0 a plan was found or a report made, 1 it is proved that there is no plan,
+2 bad input or usage. Answers go to standard output, everything else to standard error.
+
+Example: plan insert cases/pawl.json";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Insert(insert::Args),
+    Stable(stable::Args),
+    Cone(cone::Args),
+}
+
+impl Cli {
+    /// Runs the command and writes its answer to `out`.
+    ///
+    /// # Errors
+    /// [`Failure`] for bad input and for output that cannot be written.
+    pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        match &self.command {
+            Command::Insert(args) => insert::run(args, out),
+            Command::Stable(args) => stable::run(args, out),
+            Command::Cone(args) => cone::run(args, out),
+        }
+    }
+}

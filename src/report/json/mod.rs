@@ -1,0 +1,150 @@
+//! JSON documents as FORMATS.md names them.
+
+mod number;
+mod sets;
+
+use super::Subject;
+use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};
+use crate::exact::to_f64;
+use number::{integers, rational, rationals};
+use serde_json::{Map, Value, json};
+
+/// The document of `plan insert`; `cells` adds the cells of every region.
+#[must_use]
+pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
+    let mut result = context(subject);
+    result.insert("goal".into(), sets::region(&answer.goal, cells).into());
+    result.insert("hold".into(), sets::region(&answer.hold, cells).into());
+    result.insert("fingers".into(), json!({ "goal": sets::fingers(subject.part, &answer.fingers) }));
+    result.insert("tilt".into(), json!({ "goal": sets::arc_set(&answer.tilt) }));
+    result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
+    if let Some(reason) = &answer.empty_because {
+        result.insert("empty_because".into(), empty_because(reason));
+    }
+    insert_asked(&mut result, &answer.modes, &answer.wrenches);
+    let status = if answer.goal.is_empty() { "no-plan" } else { "plan" };
+    envelope(subject, "plan.insert/1", status, result)
+}
+
+/// The document of `plan stable`; `cells` adds the cells of every region.
+#[must_use]
+pub fn stability(subject: &Subject, answer: &Stability, cells: bool) -> Value {
+    let part = subject.part;
+    let mut strong = sets::region(&answer.strong, cells);
+    strong.insert("feasible_modes".into(), json!(answer.feasible_modes));
+    let mut result = context(subject);
+    result.insert("weak".into(), json!({ "cone": sets::cone(&answer.weak), "force_closure": answer.force_closure }));
+    result.insert("strong".into(), strong.into());
+    result.insert("feasible_modes".into(), json!(answer.feasible_modes));
+    result.insert(
+        "fingers".into(),
+        json!({
+            "closure": sets::fingers(part, &answer.closure_fingers),
+            "weak": sets::fingers(part, &answer.weak_fingers),
+            "strong": sets::fingers(part, &answer.strong_fingers),
+        }),
+    );
+    result.insert(
+        "tilt".into(),
+        json!({ "weak": sets::arc_set(&answer.weak_tilt), "strong": sets::arc_set(&answer.strong_tilt) }),
+    );
+    insert_asked(&mut result, &answer.modes, &answer.wrenches);
+    envelope(subject, "plan.stable/1", "report", result)
+}
+
+/// The document of `plan cone`.
+#[must_use]
+pub fn cones(subject: &Subject, modes: &[(String, Cone)]) -> Value {
+    judged_cones(subject, modes, &[])
+}
+
+/// The document of `plan cone` with verdicts on wrenches.
+#[must_use]
+pub fn judged_cones(subject: &Subject, modes: &[(String, Cone)], wrenches: &[WrenchVerdict]) -> Value {
+    let mut result = context(subject);
+    insert_asked(&mut result, modes, wrenches);
+    envelope(subject, "plan.cone/1", "report", result)
+}
+
+fn envelope(subject: &Subject, schema: &str, status: &str, result: Map<String, Value>) -> Value {
+    json!({
+        "schema": schema,
+        "version": env!("CARGO_PKG_VERSION"),
+        "case": subject.name,
+        "status": status,
+        "units": { "length": subject.part.unit.symbol() },
+        "result": result,
+    })
+}
+
+/// What every result says about the task itself: without it the wrenches have no meaning.
+fn context(subject: &Subject) -> Map<String, Value> {
+    let fixels = subject
+        .fixture
+        .fixels
+        .iter()
+        .map(|fixel| json!({ "at": rationals(&fixel.point), "normal": rationals(&fixel.normal) }));
+    let mut result = Map::new();
+    result.insert("center_of_mass".into(), rationals(&subject.part.center_of_mass));
+    result.insert("rho2".into(), rational(&subject.part.gyration2()));
+    result.insert("box".into(), json!([1, 1, rational(&subject.reach())]));
+    result.insert("fixels".into(), fixels.collect());
+    result.insert("warnings".into(), json!(subject.warnings));
+    result
+}
+
+fn insert_asked(result: &mut Map<String, Value>, modes: &[(String, Cone)], wrenches: &[WrenchVerdict]) {
+    if !modes.is_empty() {
+        let cones: Map<String, Value> = modes.iter().map(|(mode, cone)| (mode.clone(), sets::cone(cone))).collect();
+        result.insert("modes".into(), cones.into());
+    }
+    if !wrenches.is_empty() {
+        result.insert("wrenches".into(), wrenches.iter().map(verdict).collect());
+    }
+}
+
+fn verdict(verdict: &WrenchVerdict) -> Value {
+    json!({
+        "g": rationals(&verdict.wrench),
+        "weak": verdict.weak,
+        "strong": verdict.strong,
+        "goal": verdict.goal,
+        "modes": verdict.modes,
+    })
+}
+
+fn plan(plan: &Recommendation) -> Value {
+    let mut value = match &plan.action {
+        Action::PushEdge { edge, interval, s, point, direction } => json!({
+            "action": "push-edge",
+            "edge": edge,
+            "interval": sets::interval(interval),
+            "s": rational(s),
+            "point": rationals(point),
+            "direction": rationals(direction),
+        }),
+        Action::PushArc { arc, direction } => json!({
+            "action": "push-arc",
+            "arc": arc.as_ref().map(sets::arc),
+            "direction": integers(direction),
+        }),
+        Action::Tilt { arc, direction } => json!({
+            "action": "tilt",
+            "arc": arc.as_ref().map(sets::arc),
+            "direction": integers(direction),
+        }),
+        Action::Wrench => json!({ "action": "wrench" }),
+    };
+    value["wrench"] = rationals(&plan.wrench);
+    value["margin2"] = rational(&plan.margin2);
+    value["margin_approx"] = json!(to_f64(&plan.margin2).sqrt());
+    value
+}
+
+fn empty_because(reason: &EmptyReason) -> Value {
+    match reason {
+        EmptyReason::DependentNormals => json!({ "reason": "dependent-normals" }),
+        EmptyReason::PairForceClosure { fixels } => json!({ "reason": "pair-force-closure", "fixels": fixels }),
+        EmptyReason::BlockingModes { modes } => json!({ "reason": "blocking-modes", "modes": modes }),
+    }
+}

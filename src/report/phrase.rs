@@ -1,0 +1,146 @@
+//! Plain words for places, directions and verdicts.
+
+use super::Subject;
+use super::decimal::{self, Span, brief, near};
+use crate::answer::{Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Stability};
+use crate::exact::{Q, to_f64};
+use crate::model::{Range, Shape};
+
+/// The answer of `plan insert` in one line.
+pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {
+    let seats = match subject.fixture.fixels.len() {
+        1 => "seats the part on its fixel".to_owned(),
+        n => format!("seats the part on all {n} fixels"),
+    };
+    match answer.plan.as_ref().map(|plan| &plan.action) {
+        Some(Action::PushEdge { edge, interval, .. }) => {
+            format!("push on edge {edge} {}: {seats}", interval_of(subject, *edge, interval))
+        }
+        Some(Action::PushArc { arc, .. }) => {
+            format!("push towards the center of the disc {}: {seats}", arc_from(arc.as_ref(), "from"))
+        }
+        Some(Action::Tilt { arc, .. }) => {
+            format!("tilt the tray so that gravity pulls {}: {seats}", arc_from(arc.as_ref(), "towards"))
+        }
+        Some(Action::Wrench) => {
+            format!("apply force and torque together, no single push or tilt will do: {seats}")
+        }
+        None if answer.goal.is_empty() => {
+            let reason = answer.empty_because.as_ref().map_or_else(String::new, |reason| format!(": {}", why(reason)));
+            format!("no wrench is guaranteed to seat the part{reason}")
+        }
+        None => format!("some wrench {seats}, but none was singled out"),
+    }
+}
+
+/// The answer of `plan stable` in one line.
+pub(super) fn stability(answer: &Stability) -> String {
+    let strong = &answer.strong;
+    if strong.everything {
+        return "the seated part cannot move, whatever wrench acts on it".to_owned();
+    }
+    let closure = if answer.force_closure {
+        "force closure: the fixels can balance every wrench"
+    } else {
+        "no force closure: some wrenches move the part"
+    };
+    let strong = if strong.is_empty() {
+        "no wrench is certain to leave it at rest".to_owned()
+    } else if !strong.has_interior() {
+        "it is certain to rest only under wrenches that no disturbance may touch".to_owned()
+    } else {
+        format!("it is certain to rest under {} % of all wrenches", decimal::percent(&strong.volume_in_box))
+    };
+    format!("{closure}; {strong}")
+}
+
+/// Why no wrench is guaranteed to seat the part.
+pub(super) fn why(reason: &EmptyReason) -> String {
+    match reason {
+        EmptyReason::DependentNormals => "the normals of the fixels are not independent".to_owned(),
+        EmptyReason::PairForceClosure { fixels: [first, second] } => {
+            format!("fixels {first} and {second} can jam the part between them")
+        }
+        EmptyReason::BlockingModes { .. } => "whatever acts, the part can stop short of a fixel or leave it".to_owned(),
+    }
+}
+
+/// What would change that.
+pub(super) fn remedy(reason: &EmptyReason) -> &'static str {
+    match reason {
+        EmptyReason::DependentNormals => {
+            "use at most three fixels (two on a disc), their normals neither all parallel nor through one point"
+        }
+        EmptyReason::PairForceClosure { .. } => {
+            "lower their friction, or move one so that each lies outside the other's friction cone"
+        }
+        EmptyReason::BlockingModes { .. } => "lower the friction or move a fixel",
+    }
+}
+
+/// Where on an edge: "between 1.2 mm and 4.4 mm from vertex 0".
+pub(super) fn interval_of(subject: &Subject, edge: usize, interval: &Interval) -> String {
+    let unit = subject.part.unit.symbol();
+    match decimal::along_edge(&edge_length2(subject, edge), interval) {
+        Span::Single(at) => format!("at one place only, about {at} {unit} from vertex {edge}"),
+        Span::Between(low, high) => format!("between {low} {unit} and {high} {unit} from vertex {edge}"),
+    }
+}
+
+/// Squared length of an edge; zero on a disc, which has none.
+pub(super) fn edge_length2(subject: &Subject, edge: usize) -> Q {
+    let Shape::Polygon(polygon) = &subject.part.shape else { return Q::default() };
+    let [from, to] = polygon.edge(edge);
+    let [x, y] = [&to[0] - &from[0], &to[1] - &from[1]];
+    &x * &x + &y * &y
+}
+
+/// Every place of a finger set, one phrase a place.
+pub(super) fn places(subject: &Subject, fingers: &FingerSet) -> Vec<String> {
+    match fingers {
+        FingerSet::Edges(edges) => edges
+            .iter()
+            .flat_map(|e| e.intervals.iter().map(|i| format!("edge {} {}", e.edge, interval_of(subject, e.edge, i))))
+            .collect(),
+        FingerSet::Arcs(set) => directions(set).into_iter().map(|arc| format!("the rim {arc}")).collect(),
+    }
+}
+
+/// Every arc of a set of directions.
+pub(super) fn directions(set: &ArcSet) -> Vec<String> {
+    if set.all {
+        return vec!["in any direction".to_owned()];
+    }
+    set.arcs.iter().map(|arc| arc_from(Some(arc), "at")).collect()
+}
+
+/// `brief` values as `(1, 2.5, -1/3)`.
+pub(super) fn tuple(values: &[Q]) -> String {
+    format!("({})", values.iter().map(brief).collect::<Vec<_>>().join(", "))
+}
+
+/// A point to four digits, as `(1.2, 3.4)`.
+pub(super) fn point(point: &[Q; 2]) -> String {
+    let [x, y] = point.each_ref().map(|v| near(to_f64(v), 4));
+    format!("({x}, {y})")
+}
+
+/// A friction coefficient: `0.2`, or `0.1 to 0.3`.
+pub(super) fn range(range: &Range) -> String {
+    let (min, max) = (brief(&range.min), brief(&range.max));
+    if min == max { min } else { format!("{min} to {max}") }
+}
+
+fn arc_from(arc: Option<&Arc>, word: &str) -> String {
+    let Some(arc) = arc else { return format!("{word} any direction") };
+    match decimal::degrees(arc) {
+        Span::Single(at) if arc.closed == [true, true] || arc.from != arc.to => {
+            format!("{word} {at} deg, one direction only")
+        }
+        Span::Single(at) => format!("{word} any direction but {at} deg"),
+        Span::Between(..) if arc.from == arc.to => {
+            format!("{word} any direction but {} deg", near(decimal::angle(&arc.from), 5))
+        }
+        Span::Between(low, high) => format!("{word} {low} to {high} deg"),
+    }
+}

@@ -1,0 +1,102 @@
+//! `plan insert` in words.
+
+use super::super::decimal::{self, near, percent};
+use super::super::{Subject, phrase};
+use super::lines::Report;
+use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation, Region};
+use crate::exact::{Z, to_f64};
+
+/// The answer, how to apply it, and what else would do.
+#[must_use]
+pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
+    let mut report = Report::new(&phrase::insertion(subject, answer));
+    if let Some(plan) = &answer.plan {
+        recommend(&mut report, subject, plan);
+    }
+    if let Some(reason) = &answer.empty_because {
+        explain(&mut report, reason);
+    }
+    if !answer.goal.is_empty() {
+        alternatives(&mut report, subject, answer);
+        report.line("wrenches", &shares(&answer.goal, &answer.hold));
+    }
+    report.wrenches(&answer.wrenches);
+    report.modes(&answer.modes);
+    report.fixels(subject);
+    report.finish()
+}
+
+fn recommend(report: &mut Report, subject: &Subject, plan: &Recommendation) {
+    let unit = subject.part.unit.symbol();
+    match &plan.action {
+        Action::PushEdge { edge, interval, s, point, direction } => {
+            let along = decimal::place_on_edge(&phrase::edge_length2(subject, *edge), interval, s);
+            let [x, y] = direction.each_ref().map(to_f64);
+            report.line("aim", &format!("{along} {unit} from vertex {edge}, at {} {unit}", phrase::point(point)));
+            report.line("direction", &format!("{} deg, square to the edge", near(y.atan2(x).to_degrees(), 4)));
+        }
+        Action::PushArc { direction, .. } => {
+            report.line("aim", &format!("from {} deg towards the center", degrees(direction)));
+        }
+        Action::Tilt { direction, .. } => {
+            report.line("aim", &format!("gravity towards {} deg", degrees(direction)));
+        }
+        Action::Wrench => {
+            report.line("wrench", &format!("along (fx, fy, torque) = {}", phrase::tuple(&plan.wrench)));
+        }
+    }
+    let rho = near(to_f64(&subject.part.gyration2()).sqrt(), 4);
+    report.line(
+        "margin",
+        &format!(
+            "at least {} % of it in any direction (torque counted over {rho} {unit})",
+            decimal::percent_at_least(&plan.margin2)
+        ),
+    );
+}
+
+fn explain(report: &mut Report, reason: &EmptyReason) {
+    if let EmptyReason::BlockingModes { modes } = reason {
+        report.line("because", &format!("every wrench is consistent with one of the modes {}", modes.join(" ")));
+    }
+    report.line("try", phrase::remedy(reason));
+}
+
+fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {
+    let action = answer.plan.as_ref().map(|plan| &plan.action);
+    let mut fingers = answer.fingers.clone();
+    if let (Some(Action::PushEdge { edge, interval, .. }), FingerSet::Edges(edges)) = (action, &mut fingers) {
+        for fingers in edges.iter_mut().filter(|fingers| fingers.edge == *edge) {
+            fingers.intervals.retain(|other| other != interval);
+        }
+    }
+    let recommended = matches!(action, Some(Action::PushEdge { .. } | Action::PushArc { .. }));
+    let none = if recommended { "no other place" } else { "no place will do" };
+    let label = if recommended { "or push" } else { "push" };
+    let places = match (action, &answer.fingers) {
+        (Some(Action::PushArc { .. }), FingerSet::Arcs(set)) if set.arcs.len() < 2 => Vec::new(),
+        _ => phrase::places(subject, &fingers),
+    };
+    report.list(label, &places, none);
+    if !matches!(action, Some(Action::Tilt { .. })) || answer.tilt.arcs.len() > 1 {
+        let tilts = phrase::directions(&answer.tilt);
+        report.list("or tilt", &tilts, "gravity alone seats it in no direction");
+    }
+}
+
+fn shares(goal: &Region, hold: &Region) -> String {
+    if !goal.has_interior() {
+        return "the wrenches that seat it have no interior: any disturbance may spoil them".to_owned();
+    }
+    let all = percent(&goal.volume_in_box);
+    let held = match percent(&hold.volume_in_box) {
+        _ if hold.is_empty() => "none of them is certain to hold it there".to_owned(),
+        share if share == all => "all of those also hold it there".to_owned(),
+        share => format!("{share} % also hold it there"),
+    };
+    format!("{all} % of all wrenches seat it; {held}")
+}
+
+fn degrees(direction: &[Z; 2]) -> String {
+    near(decimal::angle(direction), 4)
+}

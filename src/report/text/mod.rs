@@ -1,0 +1,10 @@
+//! Text for people: the answer first.
+
+mod cone;
+mod insert;
+mod lines;
+mod stable;
+
+pub use cone::{cones, judged_cones};
+pub use insert::insertion;
+pub use stable::stability;
