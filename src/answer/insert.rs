@@ -79,6 +79,7 @@ pub struct Recommendation {
 }
 
 /// How a wrench is applied.
+#[expect(clippy::large_enum_variant, reason = "an answer holds one action")]
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Action {
     /// A frictionless finger pushes on an edge along its inward normal.

@@ -59,7 +59,11 @@ fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result
 
 /// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
 /// side `normal · x < 0`; `None` if all lines are on the hyperplane.
-fn absorb<T: Int>(lines: &mut Matrix<T>, normal: &[T], scratch: &mut Entries<T>) -> Result<Option<Entries<T>>, Overflow> {
+fn absorb<T: Int>(
+    lines: &mut Matrix<T>,
+    normal: &[T],
+    scratch: &mut Entries<T>,
+) -> Result<Option<Entries<T>>, Overflow> {
     for index in 0..lines.len() {
         let side = T::wide_sign(&T::dot(normal, lines.row(index))?);
         if side.is_eq() {
@@ -76,12 +80,7 @@ fn absorb<T: Int>(lines: &mut Matrix<T>, normal: &[T], scratch: &mut Entries<T>)
 }
 
 /// Moves each row along the line `inside` onto the hyperplane of `normal`.
-fn flatten<T: Int>(
-    rows: &mut Matrix<T>,
-    inside: &[T],
-    normal: &[T],
-    scratch: &mut Entries<T>,
-) -> Result<(), Overflow> {
+fn flatten<T: Int>(rows: &mut Matrix<T>, inside: &[T], normal: &[T], scratch: &mut Entries<T>) -> Result<(), Overflow> {
     let depth = T::wide_negated(&T::dot(normal, inside)?);
     for index in 0..rows.len() {
         let product = T::dot(normal, rows.row(index))?;
@@ -156,7 +155,7 @@ fn describe<T: Int>(
     let mut rays = rays;
     let mut on = BitRows::new(normals.len());
     for own in 0..basis.len() {
-        on.push(normals.len(), |row| basis.iter().any(|b| *b == row) && basis[own] != row);
+        on.push(normals.len(), |row| basis.contains(&row) && basis[own] != row);
     }
     for row in rows {
         let normal = normals.row(row);

@@ -152,10 +152,7 @@ fn facet_rows(on: &BitRows, n_rays: usize) -> Vec<usize> {
     facets
 }
 
-fn canonical_rows<'a, T: Int>(
-    modulo: &Echelon<T>,
-    rows: impl Iterator<Item = &'a [T]>,
-) -> Result<Matrix<T>, Overflow> {
+fn canonical_rows<'a, T: Int>(modulo: &Echelon<T>, rows: impl Iterator<Item = &'a [T]>) -> Result<Matrix<T>, Overflow> {
     let columns = modulo.rows.columns();
     let mut reduced = Matrix::with_capacity(columns, rows.size_hint().0);
     for row in rows {

@@ -86,7 +86,8 @@ pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     ///
     /// # Errors
     /// [`Overflow`] if the primitive row does not fit.
-    fn combine(p: &Self::Wide, a: &[Self], q: &Self::Wide, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow>;
+    fn combine(p: &Self::Wide, a: &[Self], q: &Self::Wide, b: &[Self], out: &mut Entries<Self>)
+    -> Result<(), Overflow>;
 
     /// Appends the primitive form of a wide row to `out`.
     ///

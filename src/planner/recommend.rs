@@ -1,6 +1,6 @@
 //! The push or tilt with the largest margin.
 
-use super::fingers::{Pushes, point_on_edge, tilt_plane};
+use super::fingers::{Pushes, tilt_plane};
 use crate::answer::{Action, Arc, ArcSet, FingerSet, Interval, Recommendation};
 use crate::cone::Cone;
 use crate::exact::{Int, Q, Z, approximate, from_float_exact, primitive_row, ratio, to_f64};
@@ -118,9 +118,8 @@ fn best_in_interval(
     let others = [3, 5, 2, 6, 1, 7].into_iter().map(place);
     let (margin2, s, wrench) = others.fold(middle, |best, other| if other.0 > best.0 { other } else { best });
     let Shape::Polygon(polygon) = &part.shape else { unreachable!("only polygons have edges") };
-    let point = point_on_edge(polygon, edge, &s);
-    let [a, b] = polygon.edge(edge);
-    let direction = [&a[1] - &b[1], &b[0] - &a[0]];
+    let point = polygon.point(&polygon.location(edge, s.clone()));
+    let direction = polygon.inward_normal(edge);
     (margin2, Action::PushEdge { edge, interval: interval.clone(), s, point, direction }, wrench)
 }
 
