@@ -4,11 +4,15 @@
 //! paper's construction, a conversion in up to 2n dimensions, so that each figure has its yardstick in the same run.
 
 use divan::{Bencher, black_box};
-use partplan::exact::{Q, ratio};
+use partplan::cone::{Generators, Pair};
+use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row, ratio};
 use partplan::geometry::Polygon;
-use partplan::mechanics::{Contact, ContactRows, Interaction, feasible_modes, mode_cone};
+use partplan::mechanics::{Contact, ContactRows, Interaction, Mode, feasible_modes, mode_cone};
 use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
 use partplan::planner::{Question, insertion, stability};
+
+#[path = "../tests/support/mod.rs"]
+mod support;
 
 fn main() {
     divan::main();
@@ -20,6 +24,16 @@ fn mode_cones(bencher: Bencher, n: usize) {
     let modes = modes(n);
     let mut next = modes.iter().cycle();
     bencher.bench_local(|| mode_cone(&contacts, black_box(next.next().unwrap()), true));
+}
+
+/// The first half of the paper's method for the same modes: K^F, the face normals of the span of K.
+#[divan::bench(args = [1, 2, 3, 4, 5, 6])]
+fn paper_route(bencher: Bencher, n: usize) {
+    let (part, fixture) = ring(n);
+    let contacts = support::modes::Contacts::of(&part, &fixture);
+    let spans: Vec<KSpan> = modes(n).iter().map(|mode| KSpan::of(&contacts, &Mode(mode.clone()).to_string())).collect();
+    let mut next = spans.iter().cycle();
+    bencher.bench_local(|| climb(black_box(next.next().unwrap()), Rung::Word));
 }
 
 #[divan::bench(args = [2, 3, 4, 6, 10, 20, 50])]
@@ -38,6 +52,35 @@ fn insertion_of_three(bencher: Bencher) {
 fn stability_of_three(bencher: Bencher) {
     let (part, fixture) = pawl();
     bencher.bench_local(|| stability(black_box(&part), &fixture, &Question::default()));
+}
+
+/// The columns of K, eq. (15), each on its ray.
+struct KSpan(Vec<Vec<Z>>);
+
+impl KSpan {
+    fn of(contacts: &support::modes::Contacts, mode: &str) -> Self {
+        let k = support::paper::cone_form(contacts, mode, support::paper::SlidingSign::Table2).k;
+        let mut columns: Vec<Vec<Z>> =
+            k.column_iter().map(|column| primitive_row(&column.iter().cloned().collect::<Vec<_>>())).collect();
+        if columns.is_empty() {
+            columns.push(vec![Z::from(0); k.nrows()]);
+        }
+        Self(columns)
+    }
+}
+
+impl Ladder for KSpan {
+    type Output = usize;
+
+    fn run<T: Int>(&self) -> Result<usize, Overflow> {
+        let columns = self.0[0].len();
+        let mut rays = Matrix::new(columns);
+        for column in &self.0 {
+            let row = column.iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
+            rays.push(&row);
+        }
+        Ok(Pair::from_generators(&Generators { lines: Matrix::new(columns), rays })?.facets().len())
+    }
 }
 
 fn contacts(n: usize) -> Vec<ContactRows<i64>> {

@@ -10,13 +10,13 @@ pub(super) type Set = SmallVec<[u64; 2]>;
 #[derive(Debug, Clone)]
 pub(super) struct BitRows {
     words: usize,
-    bits: Vec<u64>,
+    bits: SmallVec<[u64; 8]>,
 }
 
 impl BitRows {
     /// No rows yet; each will hold `universe` bits.
     pub(super) fn new(universe: usize) -> Self {
-        Self { words: universe.div_ceil(64).max(1), bits: Vec::new() }
+        Self { words: universe.div_ceil(64).max(1), bits: SmallVec::new() }
     }
 
     /// Appends the set of the members for which `holds`, and returns its words.

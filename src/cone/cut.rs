@@ -1,7 +1,9 @@
 //! Generators of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
 use super::bits::{BitRows, count, is_subset};
+use super::linear::{cross, dot_sign, is_zero};
 use crate::exact::{Entries, Int, Matrix, Overflow};
+use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// Lines and extreme rays, not yet in canonical form.
@@ -34,6 +36,24 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
 
 /// `Err(row)` if the cone turns out to lie in the hyperplane of normal `row`: the caller starts again with an equality.
 fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result<Cut<T>, usize>, Overflow> {
+    let Start { lines, rays, basis } = match three_planes(equalities, normals)? {
+        Some(start) => start,
+        None => absorb_lines(equalities, normals)?,
+    };
+    let others = (0..normals.len()).filter(|row| !basis.contains(row));
+    let rays = if basis.len() == 3 { clip(rays, normals, others)? } else { describe(rays, normals, &basis, others)? };
+    Ok(rays.map(|rays| Cut { lines, rays }))
+}
+
+/// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
+struct Start<T> {
+    lines: Matrix<T>,
+    rays: Matrix<T>,
+    basis: SmallVec<[usize; 8]>,
+}
+
+/// Starts from the whole space; each normal not constant on the lines left turns one line into a ray.
+fn absorb_lines<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
     let dim = normals.columns();
     let mut lines = Matrix::identity(dim);
     let mut scratch = Entries::new();
@@ -41,7 +61,7 @@ fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result
         absorb(&mut lines, equality, &mut scratch)?;
     }
     let mut rays = Matrix::with_capacity(dim, lines.len());
-    let mut basis = Vec::with_capacity(lines.len());
+    let mut basis = SmallVec::new();
     for (row, normal) in normals.rows().enumerate() {
         if lines.is_empty() {
             break;
@@ -52,9 +72,42 @@ fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result
             basis.push(row);
         }
     }
-    let others = (0..normals.len()).filter(|row| !basis.contains(row));
-    let rays = if basis.len() == 3 { clip(rays, normals, others)? } else { describe(rays, normals, &basis, others)? };
-    Ok(rays.map(|rays| Cut { lines, rays }))
+    Ok(Start { lines, rays, basis })
+}
+
+/// The same start for three dimensions without equalities: the rays of three independent planes are cross products.
+fn three_planes<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Option<Start<T>>, Overflow> {
+    if normals.columns() != 3 || !equalities.is_empty() || normals.len() < 3 {
+        return Ok(None);
+    }
+    let first = normals.row(0);
+    let mut edge = Entries::new();
+    let Some(second) = (1..normals.len()).find_map(|row| match cross(first, normals.row(row), &mut edge) {
+        Ok(()) if is_zero(&edge) => None,
+        outcome => Some(outcome.map(|()| row)),
+    }) else {
+        return Ok(None);
+    };
+    let second = second?;
+    for third in second + 1..normals.len() {
+        let side = dot_sign(normals.row(third), &edge)?;
+        if side.is_eq() {
+            continue;
+        }
+        let mut rays = Matrix::with_capacity(3, 4);
+        for (a, b) in [(second, third), (third, 0)] {
+            let mut ray = Entries::new();
+            cross(normals.row(a), normals.row(b), &mut ray)?;
+            rays.push(&ray);
+        }
+        rays.push(&edge);
+        // the determinant of the three normals has the sign of `side`
+        if side.is_gt() {
+            (0..3).for_each(|ray| rays.row_mut(ray).iter_mut().for_each(|value| *value = value.negated()));
+        }
+        return Ok(Some(Start { lines: Matrix::new(3), rays, basis: SmallVec::from_slice(&[0, second, third]) }));
+    }
+    Ok(None)
 }
 
 /// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the

@@ -62,6 +62,13 @@ pub(super) fn is_zero<T: Int>(row: &[T]) -> bool {
     row.iter().all(|value| value.sign() == Ordering::Equal)
 }
 
+/// Replaces `out` by the primitive form of `a × b` in three dimensions.
+pub(super) fn cross<T: Int>(a: &[T], b: &[T], out: &mut Entries<T>) -> Result<(), Overflow> {
+    let minor = |i: usize, j: usize| T::dot(&[a[i].clone(), a[j].negated()], &[b[j].clone(), b[i].clone()]);
+    out.clear();
+    T::primitive(&[minor(1, 2)?, minor(2, 0)?, minor(0, 1)?], out)
+}
+
 pub(super) fn dot_sign<T: Int>(a: &[T], b: &[T]) -> Result<Ordering, Overflow> {
     T::dot(a, b).map(|value| T::wide_sign(&value))
 }

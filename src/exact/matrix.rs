@@ -107,11 +107,14 @@ impl<T: Int> Matrix<T> {
 
     /// Takes row `index` out; the last row takes its place.
     pub fn swap_remove(&mut self, index: usize) -> Entries<T> {
-        let last = self.entries.len() - self.columns;
-        for column in 0..self.columns {
-            self.entries.swap(index * self.columns + column, last + column);
+        let last = self.len() - 1;
+        let taken = self.row(index).iter().cloned().collect();
+        if index < last {
+            let (head, tail) = self.entries.split_at_mut(last * self.columns);
+            head[index * self.columns..(index + 1) * self.columns].clone_from_slice(tail);
         }
-        self.entries.drain(last..).collect()
+        self.entries.truncate(last * self.columns);
+        taken
     }
 
     /// Row `index`, to be changed in place.
