@@ -8,8 +8,8 @@ use super::view::{self, direction};
 use crate::exact::{Q, to_f64};
 use crate::model::Fixel;
 
-const HEIGHT: f64 = 17.0;
-const HALF_BASE: f64 = 9.5;
+const HEIGHT: f64 = 20.0;
+const HALF_BASE: f64 = 6.5;
 const CONE: f64 = 50.0;
 
 /// Draws friction cones, then the outline over them, then the fixels.

@@ -88,13 +88,12 @@ fn shares(goal: &Region, hold: &Region) -> String {
     if !goal.has_interior() {
         return "the wrenches that seat it have no interior: any disturbance may spoil them".to_owned();
     }
-    let all = percent(&goal.volume_in_box);
-    let held = match percent(&hold.volume_in_box) {
-        _ if hold.is_empty() => "none of them is certain to hold it there".to_owned(),
-        share if share == all => "all of those also hold it there".to_owned(),
-        share => format!("{share} % also hold it there"),
+    let held = if hold.is_empty() {
+        "none of them is certain to hold it there".to_owned()
+    } else {
+        format!("{} % seat it and then hold it still", percent(&hold.volume_in_box))
     };
-    format!("{all} % of all wrenches seat it; {held}")
+    format!("{} % of all wrenches seat it; {held}", percent(&goal.volume_in_box))
 }
 
 fn degrees(direction: &[Z; 2]) -> String {
