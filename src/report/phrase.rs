@@ -5,7 +5,7 @@ use super::decimal::{self, Span, brief, near};
 use crate::answer::{Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Stability};
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
-use num_traits::{One as _, Zero as _};
+use num_traits::{One as _, Signed as _, Zero as _};
 
 /// The answer of `plan insert` in one line.
 pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {
@@ -132,6 +132,13 @@ pub(super) fn tuple(values: &[Q]) -> String {
 pub(super) fn point(point: &[Q; 2]) -> String {
     let [x, y] = point.each_ref().map(|v| near(to_f64(v), 4));
     format!("({x}, {y})")
+}
+
+/// Degrees of a vector, counter-clockwise from the x axis.
+pub(super) fn heading(vector: &[Q; 2]) -> String {
+    let scale = vector.iter().map(Q::abs).max().filter(|v| !v.is_zero()).unwrap_or_else(Q::one);
+    let [x, y] = vector.each_ref().map(|v| to_f64(&(v / &scale)));
+    near(y.atan2(x).to_degrees(), 4)
 }
 
 /// A friction coefficient: `0.2`, or `0.1 to 0.3`.

@@ -31,9 +31,8 @@ fn recommend(report: &mut Report, subject: &Subject, plan: &Recommendation) {
     match &plan.action {
         Action::PushEdge { edge, interval, s, point, direction } => {
             let along = decimal::place_on_edge(&phrase::edge_length2(subject, *edge), interval, s);
-            let [x, y] = direction.each_ref().map(to_f64);
             report.line("aim", &format!("{along} {unit} from vertex {edge}, at {} {unit}", phrase::point(point)));
-            report.line("direction", &format!("{} deg, square to the edge", near(y.atan2(x).to_degrees(), 4)));
+            report.line("direction", &format!("{} deg, square to the edge", phrase::heading(direction)));
         }
         Action::PushArc { direction, .. } => {
             report.line("aim", &format!("from {} deg towards the center", degrees(direction)));
