@@ -1,0 +1,8 @@
+//! What must hold for every fixture, judged by oracles that share no code with the planner.
+
+mod cones;
+mod invariance;
+mod places;
+mod sets;
+#[path = "../support/mod.rs"]
+mod support;
