@@ -111,16 +111,16 @@ pub(super) fn places(subject: &Subject, fingers: &FingerSet) -> Vec<String> {
             .iter()
             .flat_map(|e| e.intervals.iter().map(|i| format!("edge {} {}", e.edge, interval_of(subject, e.edge, i))))
             .collect(),
-        FingerSet::Arcs(set) => directions(set).into_iter().map(|arc| format!("the rim {arc}")).collect(),
+        FingerSet::Arcs(set) => directions(set, "the rim at"),
     }
 }
 
-/// Every arc of a set of directions.
-pub(super) fn directions(set: &ArcSet) -> Vec<String> {
+/// Every arc of a set of directions, each after `word`.
+pub(super) fn directions(set: &ArcSet, word: &str) -> Vec<String> {
     if set.all {
-        return vec!["in any direction".to_owned()];
+        return vec![arc_from(None, word)];
     }
-    set.arcs.iter().map(|arc| arc_from(Some(arc), "at")).collect()
+    set.arcs.iter().map(|arc| arc_from(Some(arc), word)).collect()
 }
 
 /// `brief` values as `(1, 2.5, -1/3)`.

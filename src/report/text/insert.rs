@@ -78,7 +78,7 @@ fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {
     };
     report.list(label, &places, none);
     if !matches!(action, Some(Action::Tilt { .. })) || answer.tilt.arcs.len() > 1 {
-        let tilts = phrase::directions(&answer.tilt);
+        let tilts = phrase::directions(&answer.tilt, "gravity towards");
         report.list("or tilt", &tilts, "gravity alone seats it in no direction");
     }
 }

@@ -15,7 +15,11 @@ pub fn stability(subject: &Subject, answer: &Stability) -> String {
         &phrase::places(subject, &answer.strong_fingers),
         "no finger is certain to hold the part",
     );
-    report.list("tilt holds", &phrase::directions(&answer.strong_tilt), "gravity alone is certain to hold it nowhere");
+    report.list(
+        "tilt holds",
+        &phrase::directions(&answer.strong_tilt, "gravity towards"),
+        "gravity alone is certain to hold it nowhere",
+    );
     report.list("push closes", &phrase::places(subject, &answer.closure_fingers), "no finger closes the grasp");
     report.line("modes", &format!("{} feasible: {}", answer.feasible_modes.len(), answer.feasible_modes.join(" ")));
     report.wrenches(&answer.wrenches);
