@@ -1,7 +1,7 @@
 //! Good case files: every spelling and default, against numbers computed elsewhere.
 
 use partplan::case::{Case, Limits, read};
-use partplan::exact::{Q, Z, parse, ratio};
+use partplan::exact::{Q, Z, parse_literal, ratio};
 use partplan::model::{LengthUnit, Place, Range, Shape};
 use proptest::prelude::*;
 use serde_json::Value;
@@ -14,7 +14,7 @@ fn case(text: &str) -> Case {
 }
 
 fn q(text: &str) -> Q {
-    parse(text).unwrap()
+    parse_literal(text).unwrap()
 }
 
 fn point(x: &str, y: &str) -> [Q; 2] {

@@ -122,7 +122,7 @@ fn ten_thousand_vertices_are_checked_exactly() {
 /// Coordinates that differ by one part in 10^40 are told apart although no machine number can.
 #[test]
 fn tiny_gaps_and_tiny_overlaps_are_decided_exactly() {
-    let tiny = partplan::exact::parse("1e-40").unwrap();
+    let tiny = partplan::exact::parse_literal("1e-40").unwrap();
     let notch = |tip: Q| {
         let mut list = points(&[[0, 0], [4, 0], [4, 4], [2, 0], [0, 4]]);
         list[3][1] = tip;

@@ -92,11 +92,11 @@ fn terminating(value: &Q) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{parse, ratio};
+    use crate::exact::{parse_literal, ratio};
 
     #[test]
     fn short_values_are_shown_exactly_and_long_ones_in_decimal() {
-        let shown = |text: &str| number(&parse(text).unwrap());
+        let shown = |text: &str| number(&parse_literal(text).unwrap());
         assert_eq!(shown("-3"), "-3");
         assert_eq!(shown("-0.05"), "-0.05");
         assert_eq!(shown("1/3"), "1/3");

@@ -6,6 +6,7 @@ use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::Mode;
 use partplan::planner::Question;
 use std::io::IsTerminal as _;
+use std::time::Duration;
 
 /// What is read, how far, and how the answer is written.
 #[derive(Debug, clap::Args)]
@@ -29,6 +30,10 @@ pub struct Common {
     /// Color of the messages
     #[arg(long, value_enum, default_value_t = When::Auto, value_name = "WHEN")]
     pub color: When,
+
+    /// Longest time to plan in; exit status 3 when it is over
+    #[arg(long, value_name = "SECONDS", default_value = "600", value_parser = seconds)]
+    pub time_limit: Duration,
 
     /// Largest number of fixels accepted
     #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().fixels)]
@@ -80,6 +85,11 @@ impl When {
 }
 
 /// Reads `fx,fy,torque`.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let number: f64 = text.parse().map_err(|_| "expected a number of seconds, 0.5 or 60 for instance".to_owned())?;
+    Duration::try_from_secs_f64(number).map_err(|_| "a time is not negative and not endless".to_owned())
+}
+
 fn wrench(text: &str) -> Result<[Q; 3], WrenchError> {
     let numbers: Vec<&str> = text.split(',').map(str::trim).collect();
     let count = numbers.len();

@@ -1,9 +1,12 @@
 //! `plan cone`: the wrenches consistent with a contact mode.
 
 use super::common::Common;
-use super::{Failure, Outcome, input, output};
-use partplan::mechanics::Mode;
-use partplan::{planner, report};
+use super::{Failure, Outcome, input, limit, output};
+use partplan::answer::{Cone, WrenchVerdict};
+use partplan::mechanics::{Mode, ModeError};
+use partplan::model::{Fixture, Part};
+use partplan::planner::{self, Question};
+use partplan::report;
 use std::io::Write;
 
 /// Give the cone of wrenches that are consistent with a contact mode, faces and generators
@@ -22,12 +25,9 @@ pub struct Args {
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let task = input::task(&args.common)?;
     let subject = task.subject();
-    let question = args.common.question(&args.modes);
-    let (modes, wrenches) = if question.wrenches.is_empty() {
-        (planner::mode_cones(subject.part, subject.fixture, &question)?, Vec::new())
-    } else {
-        let found = planner::stability(subject.part, subject.fixture, &question)?;
-        (found.modes, found.wrenches)
+    let Some((modes, wrenches)) = limit::plan(&task, &args.common, &args.modes, judged, report::json::CONE, out)?
+    else {
+        return Ok(limit::OVER);
     };
     output::answer(
         out,
@@ -37,3 +37,14 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     )?;
     Ok(Outcome::Yes)
 }
+
+/// The cones of the modes and the verdicts on the wrenches, if any are asked about.
+fn judged(part: &Part, fixture: &Fixture, question: &Question) -> Result<Judged, ModeError> {
+    if question.wrenches.is_empty() {
+        return Ok((planner::mode_cones(part, fixture, question)?, Vec::new()));
+    }
+    let found = planner::stability(part, fixture, question)?;
+    Ok((found.modes, found.wrenches))
+}
+
+type Judged = (Vec<(String, Cone)>, Vec<WrenchVerdict>);

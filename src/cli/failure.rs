@@ -12,6 +12,8 @@ pub enum Outcome {
     Yes,
     /// It is proved that no plan exists: 1. (2 is every failure, as in clap.)
     No,
+    /// A limit was reached before an answer: 3.
+    Undecided,
 }
 
 /// Why there is no answer: exit status 2.
@@ -44,6 +46,7 @@ pub fn end(result: Result<Outcome, Failure>) -> ExitCode {
     match result {
         Ok(Outcome::Yes) => ExitCode::SUCCESS,
         Ok(Outcome::No) => ExitCode::from(1),
+        Ok(Outcome::Undecided) => ExitCode::from(3),
         Err(Failure::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(failure) => {
             super::output::complain(failure.to_string().trim_end());
@@ -65,6 +68,7 @@ mod tests {
         let code = |code: u8| format!("{:?}", ExitCode::from(code));
         assert_eq!(status(Ok(Outcome::Yes)), code(0));
         assert_eq!(status(Ok(Outcome::No)), code(1));
+        assert_eq!(status(Ok(Outcome::Undecided)), code(3));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::BrokenPipe.into()))), code(0));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::StorageFull.into()))), code(2));
         assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned() })), code(2));

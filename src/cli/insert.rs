@@ -1,7 +1,7 @@
 //! `plan insert`: which pushes and tilts are guaranteed to seat the part.
 
 use super::common::Common;
-use super::{Failure, Outcome, input, output};
+use super::{Failure, Outcome, input, limit, output};
 use partplan::mechanics::Mode;
 use partplan::{planner, report};
 use std::io::Write;
@@ -39,7 +39,10 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let _ = args.no_verify;
     let task = input::task(&args.common)?;
     let subject = task.subject();
-    let found = planner::insertion(subject.part, subject.fixture, &args.common.question(&args.modes))?;
+    let Some(found) = limit::plan(&task, &args.common, &args.modes, planner::insertion, report::json::INSERT, out)?
+    else {
+        return Ok(limit::OVER);
+    };
     if let Some(path) = &args.svg {
         output::picture(path, &report::svg::insertion(&subject, &found))?;
     }

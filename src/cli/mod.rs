@@ -5,6 +5,7 @@ mod cone;
 mod failure;
 mod input;
 mod insert;
+mod limit;
 mod output;
 mod stable;
 
@@ -23,7 +24,7 @@ pub struct Cli {
 
 const AFTER_HELP: &str = "\
 Exit status: 0 a plan was found or a report made, 1 it is proved that there is no plan,
-2 bad input or usage. Answers go to standard output, everything else to standard error.
+2 bad input or usage, 3 undecided at a limit. Answers go to standard output, everything else to standard error.
 
 Example: plan insert cases/pawl.json";
 

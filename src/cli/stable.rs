@@ -1,7 +1,7 @@
 //! `plan stable`: under which wrenches the seated part stays at rest.
 
 use super::common::Common;
-use super::{Failure, Outcome, input, output};
+use super::{Failure, Outcome, input, limit, output};
 use partplan::mechanics::Mode;
 use partplan::{planner, report};
 use std::io::Write;
@@ -31,7 +31,10 @@ pub struct Args {
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let task = input::task(&args.common)?;
     let subject = task.subject();
-    let found = planner::stability(subject.part, subject.fixture, &args.common.question(&args.modes))?;
+    let Some(found) = limit::plan(&task, &args.common, &args.modes, planner::stability, report::json::STABLE, out)?
+    else {
+        return Ok(limit::OVER);
+    };
     if let Some(path) = &args.svg {
         output::picture(path, &report::svg::stability(&subject, &found))?;
     }

@@ -1,6 +1,6 @@
-//! Small helpers around rationals: construction, decimal views, directed rounding.
+//! Small helpers around rationals: construction, decimal views, short approximations.
 
-use super::{LiteralError, Q, Z, parse_literal};
+use super::{Q, Z};
 use num_traits::{Signed, ToPrimitive, Zero};
 
 /// The rational `numerator / denominator`.
@@ -10,14 +10,6 @@ use num_traits::{Signed, ToPrimitive, Zero};
 #[must_use]
 pub fn ratio(numerator: i64, denominator: i64) -> Q {
     Q::new(Z::from(numerator), Z::from(denominator))
-}
-
-/// [`parse_literal`] under a short name, for tests and embedding programs.
-///
-/// # Errors
-/// As [`parse_literal`].
-pub fn parse(text: &str) -> Result<Q, LiteralError> {
-    parse_literal(text)
 }
 
 /// The nearest double, for pictures and decimal views only; huge values saturate.
@@ -33,18 +25,6 @@ pub fn to_f64(value: &Q) -> f64 {
 #[must_use]
 pub fn from_float_exact(value: f64) -> Option<Q> {
     Q::from_float(value)
-}
-
-/// The largest multiple of `step` that is at most `value`.
-#[must_use]
-pub fn round_down(value: &Q, step: &Q) -> Q {
-    (value / step).floor() * step
-}
-
-/// The smallest multiple of `step` that is at least `value`.
-#[must_use]
-pub fn round_up(value: &Q, step: &Q) -> Q {
-    (value / step).ceil() * step
 }
 
 /// A rational within `tolerance` of `value` with the smallest denominator (a walk down the Stern-Brocot tree).

@@ -83,7 +83,9 @@ pub enum ModeError {
         letter: char,
     },
     /// As many letters as fixels are needed.
-    #[error("the mode has {letters} letters but the case has {fixels} fixels; write one letter per fixel")]
+    #[error(
+        "the number of letters in the mode is {letters} but that of fixels is {fixels}; write one letter per fixel"
+    )]
     Length {
         /// Letters in the mode.
         letters: usize,

@@ -2,6 +2,7 @@
 
 use crate::exact::Q;
 use crate::geometry::Polygon;
+use num_traits::{Signed, Zero};
 
 /// A rigid planar part; lengths in [`Part::unit`], any unit of mass.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,6 +26,19 @@ impl Part {
     #[must_use]
     pub fn gyration2(&self) -> Q {
         &self.inertia / &self.mass
+    }
+
+    /// Largest coordinate distance of the outline from the center of mass (length): volumes of wrench sets are measured
+    /// in the box `|fx| ≤ 1, |fy| ≤ 1, |torque| ≤ reach`.
+    #[must_use]
+    pub fn torque_reach(&self) -> Q {
+        let com = &self.center_of_mass;
+        let distance = |point: &[Q; 2], axis: usize| (&point[axis] - &com[axis]).abs();
+        let farthest = |point: &[Q; 2]| distance(point, 0).max(distance(point, 1));
+        match &self.shape {
+            Shape::Polygon(polygon) => polygon.vertices().iter().map(farthest).max().unwrap_or_else(Q::zero),
+            Shape::Circle { center, radius } => farthest(center) + radius,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::fingers::{Pushes, Wrenches, arc_set, finger_set, tilt_plane};
 use super::recommend::{Margins, recommend};
-use super::sets::{Question, Sets, check_modes, torque_reach};
+use super::sets::{Question, Sets, check_modes};
 use super::to_answer::region_answer;
 use crate::answer::{EmptyReason, Insertion};
 use crate::cone::{Cone, Generators, Pair, complement, subtract};
@@ -21,7 +21,7 @@ use crate::model::{Fixture, Part};
 pub fn insertion(part: &Part, fixture: &Fixture, question: &Question) -> Result<Insertion, ModeError> {
     check_modes(fixture, question)?;
     let contacts = Contact::of(part, fixture);
-    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: torque_reach(part) };
+    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() };
     Ok(climb(&job, Rung::Word).0)
 }
 

@@ -8,8 +8,7 @@ use crate::mechanics::{
     Contact, ContactRows, Interaction, Mode, ModeError, acceleration_system, balanced_cone, feasible_modes, force_rays,
     mode_cone,
 };
-use crate::model::{Fixture, Part, Shape};
-use num_traits::Signed;
+use crate::model::{Fixture, Part};
 
 /// What is asked besides the sets themselves.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -119,18 +118,6 @@ pub(super) fn check_modes(fixture: &Fixture, question: &Question) -> Result<(), 
         Some(mode) => Err(ModeError::Length { letters: mode.0.len(), fixels }),
         None => Ok(()),
     }
-}
-
-/// Largest coordinate distance of the outline from the center of mass: the torque half-width of the box.
-pub(super) fn torque_reach(part: &Part) -> Q {
-    let com = &part.center_of_mass;
-    let distances: Vec<Q> = match &part.shape {
-        Shape::Polygon(polygon) => {
-            polygon.vertices().iter().flat_map(|v| [(&v[0] - &com[0]).abs(), (&v[1] - &com[1]).abs()]).collect()
-        }
-        Shape::Circle { center, radius } => (0..2).map(|axis| (&center[axis] - &com[axis]).abs() + radius).collect(),
-    };
-    distances.into_iter().max().expect("an outline has points")
 }
 
 fn on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {

@@ -1,7 +1,7 @@
 //! Weak and strong stability of the seated part.
 
 use super::fingers::{Pushes, Wrenches, arc_set, finger_set, tilt_plane};
-use super::sets::{Question, Sets, check_modes, torque_reach};
+use super::sets::{Question, Sets, check_modes};
 use super::to_answer::{cone_answer, region_answer};
 use crate::answer::Stability;
 use crate::cone::{Cone, HalfSpaces, complement};
@@ -19,7 +19,7 @@ use crate::model::{Fixture, Part};
 pub fn stability(part: &Part, fixture: &Fixture, question: &Question) -> Result<Stability, ModeError> {
     check_modes(fixture, question)?;
     let contacts = Contact::of(part, fixture);
-    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: torque_reach(part) };
+    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() };
     Ok(climb(&job, Rung::Word).0)
 }
 

@@ -98,7 +98,7 @@ pub(super) fn near(value: f64, digits: i32) -> String {
 pub(super) fn brief(value: &Q) -> String {
     let exact = value.to_string();
     let decimal = near(to_f64(value), 6);
-    if crate::exact::parse(&decimal).as_ref() == Ok(value) {
+    if crate::exact::parse_literal(&decimal).as_ref() == Ok(value) {
         decimal
     } else if exact.len() <= 9 {
         exact
@@ -181,7 +181,7 @@ fn trim(text: String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{parse, ratio};
+    use crate::exact::{parse_literal, ratio};
 
     fn interval(from: Q, to: Q, closed: [bool; 2]) -> Interval {
         let origin = || [ratio(0, 1), ratio(0, 1)];
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn narrow_intervals_get_more_digits_instead_of_crossing() {
-        let narrow = interval(parse("0.5").unwrap(), parse("0.500001").unwrap(), [false, true]);
+        let narrow = interval(parse_literal("0.5").unwrap(), parse_literal("0.500001").unwrap(), [false, true]);
         assert_eq!(along_edge(&ratio(3, 1), &narrow), between("0.86602541", "0.86602713"));
     }
 
@@ -227,10 +227,10 @@ mod tests {
                 let range = interval(from.clone(), to.clone(), [false, false]);
                 let length2 = ratio(length2, 1);
                 let Span::Between(low, high) = along_edge(&length2, &range) else { panic!("wide enough to show") };
-                let (low, high) = (parse(&low).unwrap(), parse(&high).unwrap());
+                let (low, high) = (parse_literal(&low).unwrap(), parse_literal(&high).unwrap());
                 assert!(&low * &low > &from * &from * &length2 && &high * &high < &to * &to * &length2 && low < high);
                 let middle = (&from + &to) / ratio(2, 1);
-                let shown = parse(&place_on_edge(&length2, &range, &middle)).unwrap();
+                let shown = parse_literal(&place_on_edge(&length2, &range, &middle)).unwrap();
                 assert!(low <= shown && shown <= high);
             }
         }

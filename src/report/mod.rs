@@ -7,9 +7,7 @@ pub mod text;
 mod decimal;
 mod phrase;
 
-use crate::exact::Q;
-use crate::model::{Fixture, Part, Shape};
-use num_traits::Signed as _;
+use crate::model::{Fixture, Part};
 
 /// What an answer is about.
 #[derive(Debug, Clone, Copy)]
@@ -22,24 +20,4 @@ pub struct Subject<'a> {
     pub fixture: &'a Fixture,
     /// Warnings of the reader.
     pub warnings: &'a [String],
-}
-
-impl Subject<'_> {
-    /// Largest coordinate distance of the outline from the center of mass: the torque side of the box that measures
-    /// volumes.
-    fn reach(&self) -> Q {
-        let com = &self.part.center_of_mass;
-        match &self.part.shape {
-            Shape::Polygon(polygon) => polygon
-                .vertices()
-                .iter()
-                .flat_map(|vertex| [(&vertex[0] - &com[0]).abs(), (&vertex[1] - &com[1]).abs()])
-                .max()
-                .expect("a polygon has vertices"),
-            Shape::Circle { center, radius } => {
-                let offset = [(&center[0] - &com[0]).abs(), (&center[1] - &com[1]).abs()];
-                offset.into_iter().max().expect("two coordinates") + radius
-            }
-        }
-    }
 }

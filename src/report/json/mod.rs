@@ -12,6 +12,13 @@ use crate::exact::to_f64;
 use number::{integers, rational, rationals};
 use serde_json::{Map, Value, json};
 
+/// Schema of `plan insert`.
+pub const INSERT: &str = "plan.insert/1";
+/// Schema of `plan stable`.
+pub const STABLE: &str = "plan.stable/1";
+/// Schema of `plan cone`.
+pub const CONE: &str = "plan.cone/1";
+
 /// The document of `plan insert`; `cells` adds the cells of every region.
 #[must_use]
 pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
@@ -26,7 +33,7 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
     }
     insert_asked(&mut result, &answer.modes, &answer.wrenches);
     let status = if answer.goal.is_empty() { "no-plan" } else { "plan" };
-    envelope(subject, "plan.insert/1", status, result)
+    envelope(subject, INSERT, status, result)
 }
 
 /// The document of `plan stable`; `cells` adds the cells of every region.
@@ -52,7 +59,7 @@ pub fn stability(subject: &Subject, answer: &Stability, cells: bool) -> Value {
         json!({ "weak": sets::arc_set(&answer.weak_tilt), "strong": sets::arc_set(&answer.strong_tilt) }),
     );
     insert_asked(&mut result, &answer.modes, &answer.wrenches);
-    envelope(subject, "plan.stable/1", "report", result)
+    envelope(subject, STABLE, "report", result)
 }
 
 /// The document of `plan cone`.
@@ -66,7 +73,13 @@ pub fn cones(subject: &Subject, modes: &[(String, Cone)]) -> Value {
 pub fn judged_cones(subject: &Subject, modes: &[(String, Cone)], wrenches: &[WrenchVerdict]) -> Value {
     let mut result = context(subject);
     insert_asked(&mut result, modes, wrenches);
-    envelope(subject, "plan.cone/1", "report", result)
+    envelope(subject, CONE, "report", result)
+}
+
+/// The document of a command that reached its limit before an answer.
+#[must_use]
+pub fn undecided(subject: &Subject, schema: &str) -> Value {
+    envelope(subject, schema, "undecided", context(subject))
 }
 
 fn envelope(subject: &Subject, schema: &str, status: &str, result: Map<String, Value>) -> Value {
@@ -90,7 +103,7 @@ fn context(subject: &Subject) -> Map<String, Value> {
     let mut result = Map::new();
     result.insert("center_of_mass".into(), rationals(&subject.part.center_of_mass));
     result.insert("rho2".into(), rational(&subject.part.gyration2()));
-    result.insert("box".into(), json!([1, 1, rational(&subject.reach())]));
+    result.insert("box".into(), json!([1, 1, rational(&subject.part.torque_reach())]));
     result.insert("fixels".into(), fixels.collect());
     result.insert("warnings".into(), json!(subject.warnings));
     result

@@ -37,7 +37,7 @@ impl Legend {
         canvas.line(&[At::new(LEFT, top + 6.0), At::new(WIDTH - LEFT, top + 6.0)], rule);
         let mut at = At::new(LEFT, top + 24.0);
         for (swatch, meaning) in &self.entries {
-            let width = 32.0 + 6.3 * meaning.chars().count() as f64 + 14.0;
+            let width = 32.0 + 6.9 * meaning.chars().count() as f64 + 16.0;
             if at.x + width > WIDTH - LEFT + 18.0 && at.x > LEFT {
                 at = At::new(LEFT, at.y + ROW);
             }
