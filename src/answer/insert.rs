@@ -74,11 +74,13 @@ pub struct Recommendation {
     /// The wrench it exerts, up to a positive factor.
     pub wrench: [Q; 3],
     /// Squared relative margin, a certified lower bound: any disturbance `d` with `|d|² < margin2 · |wrench|²` leaves
-    /// the wrench in the set. Norm: fx² + fy² + torque² / ρ² with ρ the radius of gyration.
+    /// the wrench in the set, and a finger on an edge is at least ρ times the margin from the edge's ends. Norm: fx² +
+    /// fy² + torque² / ρ² with ρ the radius of gyration.
     pub margin2: Q,
 }
 
 /// How a wrench is applied.
+#[expect(clippy::large_enum_variant, reason = "an answer holds one action")]
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Action {
     /// A frictionless finger pushes on an edge along its inward normal.

@@ -1,18 +1,17 @@
-//! What can be wrong with a case file, where, and what would be right.
+//! One fault of a case file: what is wrong, where, and what would be right.
 
-use crate::exact::LiteralError;
-use crate::geometry::PolygonFault;
+use super::kind::FaultKind;
 use std::ops::Range;
 
 /// One thing that is wrong with a case file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{kind}")]
 pub struct Fault {
-    kind: FaultKind,
+    kind: Box<FaultKind>,
     span: Option<Range<usize>>,
     path: String,
     help: Option<String>,
-    related: Option<Related>,
+    related: Option<Box<Related>>,
 }
 
 /// A second place that a fault speaks about.
@@ -26,7 +25,7 @@ pub struct Related {
 
 impl Fault {
     pub(super) fn new(kind: FaultKind) -> Self {
-        Self { kind, span: None, path: String::new(), help: None, related: None }
+        Self { kind: Box::new(kind), span: None, path: String::new(), help: None, related: None }
     }
 
     pub(super) fn at(mut self, span: Range<usize>) -> Self {
@@ -45,7 +44,7 @@ impl Fault {
     }
 
     pub(super) fn related(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
-        self.related = Some(Related { span, label: label.into() });
+        self.related = Some(Box::new(Related { span, label: label.into() }));
         self
     }
 
@@ -88,7 +87,7 @@ impl Fault {
     /// A second place that the fault speaks about.
     #[must_use]
     pub fn related_place(&self) -> Option<&Related> {
-        self.related.as_ref()
+        self.related.as_deref()
     }
 
     /// Line and column in `text`, both from 1; columns count characters.
@@ -116,347 +115,4 @@ pub(super) fn position(text: &[u8], offset: usize) -> (usize, usize) {
     let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |at| at + 1);
     let lines = before.iter().filter(|b| **b == b'\n').count();
     (lines + 1, String::from_utf8_lossy(&before[line_start..]).chars().count() + 1)
-}
-
-/// The kinds of faults; each has a code that never changes its meaning.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum FaultKind {
-    /// The file is longer than the limit.
-    #[error("the file has {bytes} bytes, more than the limit of {limit}")]
-    FileTooLarge {
-        /// Bytes of the file.
-        bytes: usize,
-        /// The limit.
-        limit: usize,
-    },
-    /// Not UTF-8.
-    #[error("byte 0x{byte:02x} at offset {offset} is not valid UTF-8")]
-    NotUtf8 {
-        /// The first bad byte.
-        byte: u8,
-        /// Its offset in the file.
-        offset: usize,
-    },
-    /// Nothing but white space.
-    #[error("the file is empty")]
-    Empty,
-    /// Brackets nested too deeply.
-    #[error("brackets are nested more than {limit} deep")]
-    TooDeep {
-        /// The limit.
-        limit: usize,
-    },
-    /// Not JSON.
-    #[error("{0}")]
-    Syntax(SyntaxFault),
-    /// NaN or an infinity.
-    #[error("`{text}` is not a finite number")]
-    NotFinite {
-        /// As written.
-        text: String,
-    },
-    /// The same key twice in one object.
-    #[error("the key `{key}` is given twice")]
-    DuplicateKey {
-        /// The key.
-        key: String,
-    },
-    /// A key without meaning.
-    #[error("unknown key `{key}`")]
-    UnknownKey {
-        /// The key.
-        key: String,
-    },
-    /// A value of the wrong JSON type.
-    #[error("expected {expected}, found {found}")]
-    WrongType {
-        /// What belongs here.
-        expected: &'static str,
-        /// What is here.
-        found: &'static str,
-    },
-    /// A list of the wrong length.
-    #[error("expected {expected} numbers, found {found}")]
-    WrongLength {
-        /// How many belong here.
-        expected: usize,
-        /// How many are here.
-        found: usize,
-    },
-    /// A required key is missing.
-    #[error("`{key}` is missing")]
-    MissingKey {
-        /// The key.
-        key: &'static str,
-    },
-    /// Two keys that exclude each other.
-    #[error("`{first}` and `{second}` exclude each other")]
-    ExclusiveKeys {
-        /// One key.
-        first: String,
-        /// The other.
-        second: String,
-    },
-    /// A text that is not one of the known words.
-    #[error("unknown {what} `{text}`")]
-    UnknownWord {
-        /// What the word should name.
-        what: &'static str,
-        /// As written.
-        text: String,
-    },
-    /// A section that a task needs is missing.
-    #[error("the section `{section}` is missing")]
-    MissingSection {
-        /// Its key.
-        section: &'static str,
-    },
-    /// A number that cannot be read.
-    #[error("`{text}`: {reason}")]
-    Literal {
-        /// As written, possibly shortened.
-        text: String,
-        /// Why not.
-        reason: LiteralError,
-    },
-    /// A number, or all numbers together, with too many digits.
-    #[error("{digits} digits, more than the limit of {limit}")]
-    TooManyDigits {
-        /// Digits and decimal places of exponents.
-        digits: usize,
-        /// The limit.
-        limit: usize,
-    },
-    /// A number that must be positive.
-    #[error("`{name}` must be positive, not {value}")]
-    NotPositive {
-        /// The key.
-        name: &'static str,
-        /// The value, possibly shortened.
-        value: String,
-    },
-    /// A number that must not be negative.
-    #[error("{name} must not be negative, not {value}")]
-    Negative {
-        /// What it is.
-        name: &'static str,
-        /// The value, possibly shortened.
-        value: String,
-    },
-    /// A number outside of its range.
-    #[error("{name} must be {range}, not {value}")]
-    OutOfRange {
-        /// What it is.
-        name: &'static str,
-        /// The values allowed.
-        range: String,
-        /// The value, possibly shortened.
-        value: String,
-    },
-    /// A range that ends before it begins.
-    #[error("min {min} is above max {max}")]
-    EmptyRange {
-        /// Lower end, possibly shortened.
-        min: String,
-        /// Upper end, possibly shortened.
-        max: String,
-    },
-    /// A polygon that is not simple.
-    #[error("{0}")]
-    Polygon(PolygonFault),
-    /// More vertices than the limit.
-    #[error("{vertices} vertices, more than the limit of {limit}")]
-    TooManyVertices {
-        /// How many there are.
-        vertices: usize,
-        /// The limit.
-        limit: usize,
-    },
-    /// The center of mass, or a point of its box, is not strictly inside the convex hull.
-    #[error("the center of mass {point} is not strictly inside the part's {outline}")]
-    CenterOfMassOutside {
-        /// The center, possibly shortened, with its tolerance.
-        point: String,
-        /// `convex hull` or `circle`.
-        outline: &'static str,
-    },
-    /// A fixture without fixels.
-    #[error("there are no fixels")]
-    NoFixels,
-    /// More fixels than the limit.
-    #[error("{fixels} fixels, more than the limit of {limit}")]
-    TooManyFixels {
-        /// How many there are.
-        fixels: usize,
-        /// The limit.
-        limit: usize,
-    },
-    /// A fixel that does not touch the part.
-    #[error("the fixel at {at} does not touch the part: the nearest boundary point is {nearest}, {distance} away")]
-    OffTheBoundary {
-        /// Where the file puts it.
-        at: String,
-        /// The nearest boundary point.
-        nearest: String,
-        /// Distance between the two.
-        distance: String,
-    },
-    /// No such edge.
-    #[error("there is no edge {edge}: the polygon has edges 0 to {last}")]
-    NoSuchEdge {
-        /// As written, possibly shortened.
-        edge: String,
-        /// The last edge.
-        last: usize,
-    },
-    /// Edges are a polygon's.
-    #[error("a circle has no edges")]
-    EdgeOfCircle,
-    /// A fixel at a vertex without a normal.
-    #[error("a fixel at vertex {vertex} needs `normal`")]
-    VertexNeedsNormal {
-        /// The vertex.
-        vertex: usize,
-    },
-    /// A normal of length zero.
-    #[error("the normal is zero")]
-    ZeroNormal,
-    /// A normal at a vertex that no contact there can have.
-    #[error("the normal {normal} is outside of the normal cone of vertex {vertex}")]
-    NormalOutsideCone {
-        /// The normal, possibly shortened.
-        normal: String,
-        /// The vertex.
-        vertex: usize,
-    },
-    /// A normal that differs from the outline's.
-    #[error("the normal {normal} does not point along the inward normal {inward}")]
-    NormalNotInward {
-        /// The normal, possibly shortened.
-        normal: String,
-        /// The outline's, possibly shortened.
-        inward: String,
-    },
-    /// Kinetic friction that can exceed static friction.
-    #[error("kinetic friction above static: {kinetic} > {static_}")]
-    KineticAboveStatic {
-        /// Kinetic coefficient, possibly shortened.
-        kinetic: String,
-        /// Static coefficient, possibly shortened.
-        static_: String,
-    },
-}
-
-impl FaultKind {
-    /// The stable code, e.g. `C021`.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::FileTooLarge { .. } => "C001",
-            Self::NotUtf8 { .. } => "C002",
-            Self::Empty => "C003",
-            Self::TooDeep { .. } => "C004",
-            Self::Syntax(_) => "C005",
-            Self::NotFinite { .. } => "C006",
-            Self::DuplicateKey { .. } => "C010",
-            Self::UnknownKey { .. } => "C011",
-            Self::WrongType { .. } => "C012",
-            Self::WrongLength { .. } => "C013",
-            Self::MissingKey { .. } => "C014",
-            Self::ExclusiveKeys { .. } => "C015",
-            Self::UnknownWord { .. } => "C016",
-            Self::MissingSection { .. } => "C017",
-            Self::Literal { .. } => "C020",
-            Self::TooManyDigits { .. } => "C021",
-            Self::NotPositive { .. } => "C022",
-            Self::Negative { .. } => "C023",
-            Self::OutOfRange { .. } => "C024",
-            Self::EmptyRange { .. } => "C025",
-            Self::Polygon(fault) => polygon_code(fault),
-            Self::TooManyVertices { .. } => "C036",
-            Self::CenterOfMassOutside { .. } => "C040",
-            Self::NoFixels => "C050",
-            Self::TooManyFixels { .. } => "C051",
-            Self::OffTheBoundary { .. } => "C052",
-            Self::NoSuchEdge { .. } => "C053",
-            Self::EdgeOfCircle => "C054",
-            Self::VertexNeedsNormal { .. } => "C055",
-            Self::ZeroNormal => "C056",
-            Self::NormalOutsideCone { .. } => "C057",
-            Self::NormalNotInward { .. } => "C058",
-            Self::KineticAboveStatic { .. } => "C060",
-        }
-    }
-}
-
-fn polygon_code(fault: &PolygonFault) -> &'static str {
-    match fault {
-        PolygonFault::TooFewVertices { .. } => "C030",
-        PolygonFault::RepeatedVertex { .. } => "C031",
-        PolygonFault::ZeroArea => "C032",
-        PolygonFault::Spike { .. } => "C033",
-        PolygonFault::Crossing { .. } => "C034",
-        PolygonFault::TooManyDigits { .. } => "C035",
-    }
-}
-
-/// Why a text is not JSON.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SyntaxFault {
-    /// A byte order mark at the start.
-    #[error("the file starts with a byte order mark")]
-    ByteOrderMark,
-    /// `//` or `/* */`.
-    #[error("comments are not allowed in JSON")]
-    Comment,
-    /// A comma before a closing bracket.
-    #[error("trailing commas are not allowed in JSON")]
-    TrailingComma,
-    /// Two values without a comma between them.
-    #[error("a comma is missing")]
-    MissingComma,
-    /// A comma where a value belongs.
-    #[error("a value is missing before this comma")]
-    MissingValue,
-    /// A key without a colon.
-    #[error("a colon is missing after the key")]
-    MissingColon,
-    /// A string in single quotes.
-    #[error("strings need double quotes")]
-    SingleQuotes,
-    /// A key without quotes.
-    #[error("keys need double quotes")]
-    UnquotedKey,
-    /// A number that JSON spells otherwise.
-    #[error("this is not how JSON writes a number")]
-    Number,
-    /// Bad escape in a string.
-    #[error("the string holds a bad escape")]
-    Escape,
-    /// A string without its closing quote.
-    #[error("the string is not closed")]
-    OpenString,
-    /// A control character in a string.
-    #[error("the string holds an unescaped control character U+{code:04X}")]
-    ControlCharacter {
-        /// Its code point.
-        code: u32,
-    },
-    /// The text ends inside an object or list.
-    #[error("the file ends before this {what} is closed")]
-    OpenBracket {
-        /// `object` or `list`.
-        what: &'static str,
-    },
-    /// A second value after the first.
-    #[error("the file holds more than one value")]
-    SecondValue,
-    /// Anything else.
-    #[error("unexpected `{text}`")]
-    Unexpected {
-        /// As written, possibly shortened.
-        text: String,
-    },
 }

@@ -1,7 +1,8 @@
 //! The `insert` section: fixels, moved exactly onto the outline.
 
-use super::fault::{Fault, FaultKind};
+use super::fault::Fault;
 use super::friction::FRICTION_HELP;
+use super::kind::FaultKind;
 use super::reader::{Fields, Path, Reader, span_of};
 use super::show;
 use super::{Limits, SMALLEST_INSERT};
@@ -14,7 +15,7 @@ use std::ops::Range;
 
 const PLACE_HELP: &str = r#"write {"at": [x, y], ...} or {"edge": 3, "s": "1/4", ...}"#;
 
-/// A contact point with the normals that are possible there.
+/// Where a fixel touches the outline.
 struct Contact {
     place: Place,
     point: [Q; 2],

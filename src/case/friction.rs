@@ -1,6 +1,7 @@
 //! The spellings of friction.
 
-use super::fault::{Fault, FaultKind};
+use super::fault::Fault;
+use super::kind::FaultKind;
 use super::reader::{Fields, Path, Reader, span_of};
 use super::show;
 use crate::exact::{Q, ratio};

@@ -3,6 +3,7 @@
 mod fault;
 mod fixels;
 mod friction;
+mod kind;
 mod part;
 mod reader;
 mod render;
@@ -10,7 +11,8 @@ mod show;
 mod suggest;
 mod text;
 
-pub use fault::{Fault, FaultKind, Related, SyntaxFault};
+pub use fault::{Fault, Related};
+pub use kind::{FaultKind, SyntaxFault};
 pub use render::render;
 
 use crate::model::{Fixture, LengthUnit, Part};

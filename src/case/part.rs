@@ -1,6 +1,7 @@
 //! The `part` section: shape, center of mass, mass and inertia.
 
-use super::fault::{Fault, FaultKind};
+use super::fault::Fault;
+use super::kind::FaultKind;
 use super::reader::{Fields, Path, Reader, span_of};
 use super::show;
 use super::{Limits, text::SMALLEST_CASE};
@@ -211,7 +212,7 @@ fn polygon_fault(fault: PolygonFault, vertices: &[Range<usize>], whole: Range<us
     // an edge is shown from its first vertex to its second, or by its first alone where the list closes
     let edge = |index: usize| vertices[index].start..vertices[next(index)].end.max(vertices[index].end).min(whole.end);
     let edge = |index: usize| if next(index) == 0 { vertex(index) } else { edge(index) };
-    let kind = FaultKind::Polygon(fault.clone());
+    let kind = FaultKind::Polygon(Box::new(fault.clone()));
     match fault {
         PolygonFault::RepeatedVertex { first, second } => Fault::new(kind)
             .at(vertex(second))

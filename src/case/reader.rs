@@ -1,6 +1,7 @@
 //! Typed access to the syntax tree that collects faults instead of stopping at the first.
 
-use super::fault::{Fault, FaultKind};
+use super::fault::Fault;
+use super::kind::FaultKind;
 use super::show::clipped;
 use super::suggest;
 use super::text::{NUMBER_HELP, is_not_finite};
@@ -18,7 +19,7 @@ const MAX_FAULTS: usize = 10_000;
 const MAX_LITERAL_DIGITS: usize = 20_000;
 
 /// Digits and decimal places of all numbers of a file together, so that reading ends in bounded time.
-const MAX_TOTAL_DIGITS: usize = 2_000_000;
+const MAX_TOTAL_DIGITS: usize = 1_000_000;
 
 /// What has been found out about a file so far.
 #[derive(Default)]
@@ -213,13 +214,20 @@ impl Reader {
                 return None;
             }
         };
-        let kind =
-            match self.weigh(text).and_then(|()| parse_literal(text).map_err(|reason| literal_fault(text, reason))) {
-                Ok(number) => return Some(number),
-                Err(kind) => kind,
-            };
-        self.fault(kind, span_of(value), path, NUMBER_HELP);
-        None
+        if self.digits > MAX_TOTAL_DIGITS {
+            // said once
+            return None;
+        }
+        let number = self.weigh(text).and_then(|()| parse_literal(text).map_err(|reason| literal_fault(text, reason)));
+        match number {
+            Ok(number) => Some(number),
+            Err(kind) => {
+                let is_long = matches!(kind, FaultKind::TooManyDigits { .. });
+                let help = if is_long { "round it to fewer digits" } else { NUMBER_HELP };
+                self.fault(kind, span_of(value), path, help);
+                None
+            }
+        }
     }
 
     pub fn wrong_type(&mut self, expected: &'static str, value: &Value, path: &Path, help: &str) {
@@ -228,14 +236,22 @@ impl Reader {
 
     fn weigh(&mut self, text: &str) -> Result<(), FaultKind> {
         if text.len() > MAX_LITERAL_DIGITS {
-            return Err(FaultKind::TooManyDigits { digits: text.len(), limit: MAX_LITERAL_DIGITS });
+            return Err(FaultKind::TooManyDigits {
+                what: "the number has",
+                digits: text.len(),
+                limit: MAX_LITERAL_DIGITS,
+            });
         }
         let places =
             text.find(['e', 'E']).and_then(|at| text[at + 1..].trim_start_matches(['+', '-']).parse::<usize>().ok());
         // a larger exponent is refused by the literal itself
         self.digits += text.len() + places.unwrap_or(0).min(MAX_LITERAL_DIGITS);
         if self.digits > MAX_TOTAL_DIGITS {
-            return Err(FaultKind::TooManyDigits { digits: self.digits, limit: MAX_TOTAL_DIGITS });
+            return Err(FaultKind::TooManyDigits {
+                what: "the numbers up to this one have",
+                digits: self.digits,
+                limit: MAX_TOTAL_DIGITS,
+            });
         }
         Ok(())
     }

@@ -23,13 +23,34 @@ pub fn render(faults: &[Fault], file_name: &str, text: &[u8], color: bool) -> St
     let mut report = String::new();
     for fault in faults.iter().take(MAX_SHOWN) {
         let excerpts = Excerpts::new(fault, text);
-        report.push_str(&renderer.render(&[group(fault, file_name, text, &excerpts)]));
-        report.push_str("\n\n");
+        let rendered = renderer.render(&[group(fault, file_name, text, &excerpts)]);
+        for line in rendered.lines().filter(|line| !is_bare_separator(line)) {
+            report.push_str(line);
+            report.push('\n');
+        }
+        report.push('\n');
     }
     if let Some(more) = faults.len().checked_sub(MAX_SHOWN).filter(|more| *more > 0) {
         let _ = writeln!(report, "... and {more} more");
     }
     report
+}
+
+/// Whether a line is `:::` alone, which the renderer puts before a snippet whose origin is an element of its own.
+///
+/// Origins are elements because the renderer would count columns from the start of a cut line.
+fn is_bare_separator(line: &str) -> bool {
+    let mut plain = String::new();
+    let mut in_escape = false;
+    for c in line.chars() {
+        match c {
+            '\u{1b}' => in_escape = true,
+            'm' if in_escape => in_escape = false,
+            _ if in_escape => {}
+            _ => plain.push(c),
+        }
+    }
+    plain.trim() == ":::"
 }
 
 /// The lines that a fault shows.
@@ -60,7 +81,7 @@ impl Excerpt {
         let start = span.start.min(text.len());
         let line_start = text[..start].iter().rposition(|b| *b == b'\n').map_or(0, |at| at + 1);
         let line_end = text[start..].iter().position(|b| *b == b'\n').map_or(text.len(), |at| start + at);
-        let from = boundary(text, start.saturating_sub(BEFORE).max(line_start));
+        let from = boundary(text, start.saturating_sub(BEFORE).max(line_start)).min(start);
         let to = boundary(text, (start + AFTER).min(line_end)).max(start);
         let end = span.end.clamp(start, to);
         let shown = |range: Range<usize>| String::from_utf8_lossy(&text[range]).into_owned();

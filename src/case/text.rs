@@ -1,6 +1,7 @@
 //! From bytes to a syntax tree: strict JSON, bounded in size and depth.
 
-use super::fault::{Fault, FaultKind, SyntaxFault};
+use super::fault::Fault;
+use super::kind::{FaultKind, SyntaxFault};
 use super::show::clipped;
 use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};

@@ -29,8 +29,7 @@ impl Task {
 pub fn task(common: &Common) -> Result<Task, Failure> {
     let shown = if common.case == "-" { "standard input" } else { &common.case };
     let bytes = bytes(&common.case, common.max_bytes)?;
-    let refuse =
-        |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
+    let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
     let mut case = case::read(&bytes, &common.limits()).map_err(|faults| refuse(&faults))?;
     let fixture = case.fixture.take().ok_or_else(|| refuse(&[case::missing_section("insert")]))?;
     for warning in &case.warnings {

@@ -1,16 +1,22 @@
 //! Rows of bits in one allocation.
 
+use crate::exact::{Int, Matrix, Overflow};
+use smallvec::{SmallVec, smallvec};
+
+/// One bit set, on the stack up to 128 members.
+pub(super) type Set = SmallVec<[u64; 2]>;
+
 /// A list of bit sets over the same universe, stored flat.
 #[derive(Debug, Clone)]
 pub(super) struct BitRows {
     words: usize,
-    bits: Vec<u64>,
+    bits: SmallVec<[u64; 8]>,
 }
 
 impl BitRows {
     /// No rows yet; each will hold `universe` bits.
     pub(super) fn new(universe: usize) -> Self {
-        Self { words: universe.div_ceil(64).max(1), bits: Vec::new() }
+        Self { words: universe.div_ceil(64).max(1), bits: SmallVec::new() }
     }
 
     /// Appends the set of the members for which `holds`, and returns its words.
@@ -20,6 +26,18 @@ impl BitRows {
         for member in (0..universe).filter(|m| holds(*m)) {
             self.bits[start + member / 64] |= 1 << (member % 64);
         }
+    }
+
+    /// Appends the set of the rows of `vectors` on the hyperplane of `normal`.
+    pub(super) fn push_zeros<T: Int>(&mut self, normal: &[T], vectors: &Matrix<T>) -> Result<(), Overflow> {
+        let start = self.bits.len();
+        self.bits.resize(start + self.words, 0);
+        for (member, vector) in vectors.rows().enumerate() {
+            if T::wide_sign(&T::dot(normal, vector)?).is_eq() {
+                self.bits[start + member / 64] |= 1 << (member % 64);
+            }
+        }
+        Ok(())
     }
 
     /// Appends a copy of `words`.
@@ -38,6 +56,19 @@ impl BitRows {
     pub(super) fn insert(&mut self, row: usize, member: usize) {
         self.bits[row * self.words + member / 64] |= 1 << (member % 64);
     }
+}
+
+/// The set of all members of a universe.
+pub(super) fn all(universe: usize) -> Set {
+    let mut words: Set = smallvec![u64::MAX; universe.div_ceil(64).max(1)];
+    let unused = words.len() * 64 - universe;
+    let last = words.len() - 1;
+    words[last] = words[last].checked_shr(unused as u32).unwrap_or(0);
+    words
+}
+
+pub(super) fn intersect(a: &[u64], b: &[u64]) -> Set {
+    a.iter().zip(b).map(|(x, y)| x & y).collect()
 }
 
 pub(super) fn count(set: &[u64]) -> usize {

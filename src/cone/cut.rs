@@ -1,7 +1,9 @@
 //! Generators of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
 use super::bits::{BitRows, count, is_subset};
-use crate::exact::{Int, Matrix, Overflow};
+use super::linear::{cross, dot_sign, is_zero};
+use crate::exact::{Entries, Int, Matrix, Overflow};
+use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// Lines and extreme rays, not yet in canonical form.
@@ -34,71 +36,114 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
 
 /// `Err(row)` if the cone turns out to lie in the hyperplane of normal `row`: the caller starts again with an equality.
 fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result<Cut<T>, usize>, Overflow> {
-    let dim = normals.columns();
-    let mut lines = Matrix::new(dim);
-    for axis in 0..dim {
-        let mut unit = vec![T::default(); dim];
-        unit[axis] = T::unit();
-        lines.push(&unit);
-    }
-    let mut rays = Matrix::new(dim);
-    for equality in equalities.rows() {
-        if let Some((_, rest)) = split_lines(&lines, equality)? {
-            lines = rest;
-        }
-    }
-    let mut basis = Vec::new();
-    for row in 0..normals.len() {
-        if lines.is_empty() {
-            break;
-        }
-        let normal = normals.row(row);
-        if let Some((inside, rest)) = split_lines(&lines, normal)? {
-            rays = flattened(&rays, &inside, normal)?;
-            rays.push(&inside);
-            lines = rest;
-            basis.push(row);
-        }
-    }
+    let Start { lines, rays, basis } = match three_planes(equalities, normals)? {
+        Some(start) => start,
+        None => absorb_lines(equalities, normals)?,
+    };
     let others = (0..normals.len()).filter(|row| !basis.contains(row));
     let rays = if basis.len() == 3 { clip(rays, normals, others)? } else { describe(rays, normals, &basis, others)? };
     Ok(rays.map(|rays| Cut { lines, rays }))
 }
 
-/// Splits the lines into one strictly inside `normal · x ≤ 0` and a basis of those on the hyperplane.
-fn split_lines<T: Int>(lines: &Matrix<T>, normal: &[T]) -> Result<Option<(Vec<T>, Matrix<T>)>, Overflow> {
-    for (index, line) in lines.rows().enumerate() {
-        let product = T::dot(normal, line)?;
-        let inside: Vec<T> = match T::wide_sign(&product) {
-            Ordering::Equal => continue,
-            Ordering::Less => line.to_vec(),
-            Ordering::Greater => line.iter().map(T::negated).collect(),
-        };
-        let mut others = Matrix::new(normal.len());
-        for (other, row) in lines.rows().enumerate() {
-            if other != index {
-                others.push(row);
-            }
+/// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
+struct Start<T> {
+    lines: Matrix<T>,
+    rays: Matrix<T>,
+    basis: SmallVec<[usize; 8]>,
+}
+
+/// Starts from the whole space; each normal not constant on the lines left turns one line into a ray.
+fn absorb_lines<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
+    let dim = normals.columns();
+    let mut lines = Matrix::identity(dim);
+    let mut scratch = Entries::new();
+    for equality in equalities.rows() {
+        absorb(&mut lines, equality, &mut scratch)?;
+    }
+    let mut rays = Matrix::with_capacity(dim, lines.len());
+    let mut basis = SmallVec::new();
+    for (row, normal) in normals.rows().enumerate() {
+        if lines.is_empty() {
+            break;
         }
-        let others = flattened(&others, &inside, normal)?;
-        return Ok(Some((inside, others)));
+        if let Some(inside) = absorb(&mut lines, normal, &mut scratch)? {
+            flatten(&mut rays, &inside, normal, &mut scratch)?;
+            rays.push(&inside);
+            basis.push(row);
+        }
+    }
+    Ok(Start { lines, rays, basis })
+}
+
+/// The same start for three dimensions without equalities: the rays of three independent planes are cross products.
+fn three_planes<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Option<Start<T>>, Overflow> {
+    if normals.columns() != 3 || !equalities.is_empty() || normals.len() < 3 {
+        return Ok(None);
+    }
+    let first = normals.row(0);
+    let mut edge = Entries::new();
+    let Some(second) = (1..normals.len()).find_map(|row| match cross(first, normals.row(row), &mut edge) {
+        Ok(()) if is_zero(&edge) => None,
+        outcome => Some(outcome.map(|()| row)),
+    }) else {
+        return Ok(None);
+    };
+    let second = second?;
+    for third in second + 1..normals.len() {
+        let side = dot_sign(normals.row(third), &edge)?;
+        if side.is_eq() {
+            continue;
+        }
+        let mut rays = Matrix::with_capacity(3, 4);
+        for (a, b) in [(second, third), (third, 0)] {
+            let mut ray = Entries::new();
+            cross(normals.row(a), normals.row(b), &mut ray)?;
+            rays.push(&ray);
+        }
+        rays.push(&edge);
+        // the determinant of the three normals has the sign of `side`
+        if side.is_gt() {
+            (0..3).for_each(|ray| rays.row_mut(ray).iter_mut().for_each(|value| *value = value.negated()));
+        }
+        return Ok(Some(Start { lines: Matrix::new(3), rays, basis: SmallVec::from_slice(&[0, second, third]) }));
+    }
+    Ok(None)
+}
+
+/// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
+/// side `normal · x < 0`; `None` if all lines are on the hyperplane.
+fn absorb<T: Int>(
+    lines: &mut Matrix<T>,
+    normal: &[T],
+    scratch: &mut Entries<T>,
+) -> Result<Option<Entries<T>>, Overflow> {
+    for index in 0..lines.len() {
+        let side = T::wide_sign(&T::dot(normal, lines.row(index))?);
+        if side.is_eq() {
+            continue;
+        }
+        let mut inside = lines.swap_remove(index);
+        if side.is_gt() {
+            inside.iter_mut().for_each(|value| *value = value.negated());
+        }
+        flatten(lines, &inside, normal, scratch)?;
+        return Ok(Some(inside));
     }
     Ok(None)
 }
 
 /// Moves each row along the line `inside` onto the hyperplane of `normal`.
-fn flattened<T: Int>(rows: &Matrix<T>, inside: &[T], normal: &[T]) -> Result<Matrix<T>, Overflow> {
+fn flatten<T: Int>(rows: &mut Matrix<T>, inside: &[T], normal: &[T], scratch: &mut Entries<T>) -> Result<(), Overflow> {
     let depth = T::wide_negated(&T::dot(normal, inside)?);
-    let mut out = Matrix::new(normal.len());
-    for row in rows.rows() {
-        let product = T::dot(normal, row)?;
-        if T::wide_sign(&product).is_eq() {
-            out.push(row);
-        } else {
-            T::combine(&depth, row, &product, inside, out.entries_mut())?;
+    for index in 0..rows.len() {
+        let product = T::dot(normal, rows.row(index))?;
+        if T::wide_sign(&product).is_ne() {
+            scratch.clear();
+            T::combine(&depth, rows.row(index), &product, inside, scratch)?;
+            rows.row_mut(index).clone_from_slice(scratch);
         }
     }
-    Ok(out)
+    Ok(())
 }
 
 /// Clips a three-dimensional cone (modulo lines) whose rays are in cyclic order.
@@ -108,17 +153,21 @@ fn clip<T: Int>(
     rows: impl Iterator<Item = usize>,
 ) -> Result<Result<Matrix<T>, usize>, Overflow> {
     let mut ring = rays;
+    let mut clipped = Matrix::with_capacity(normals.columns(), ring.len() + 1);
+    let mut products = Vec::with_capacity(ring.len());
     for row in rows {
         let normal = normals.row(row);
-        let products = ring.rows().map(|ray| T::dot(normal, ray)).collect::<Result<Vec<_>, _>>()?;
-        let outside = products.iter().filter(|p| T::wide_sign(p).is_gt()).count();
-        if outside == 0 {
+        products.clear();
+        for ray in ring.rows() {
+            products.push(T::dot(normal, ray)?);
+        }
+        if !products.iter().any(|p| T::wide_sign(p).is_gt()) {
             continue;
         }
         if !products.iter().any(|p| T::wide_sign(p).is_lt()) {
             return Ok(Err(row));
         }
-        let mut clipped = Matrix::new(normal.len());
+        clipped.clear();
         for (index, product) in products.iter().enumerate() {
             let next = (index + 1) % products.len();
             let (here, there) = (T::wide_sign(product), T::wide_sign(&products[next]));
@@ -131,7 +180,7 @@ fn clip<T: Int>(
                 crossing(&ring, next, &products[next], index, product, &mut clipped)?;
             }
         }
-        ring = clipped;
+        std::mem::swap(&mut ring, &mut clipped);
     }
     Ok(Ok(ring))
 }
@@ -159,7 +208,7 @@ fn describe<T: Int>(
     let mut rays = rays;
     let mut on = BitRows::new(normals.len());
     for own in 0..basis.len() {
-        on.push(normals.len(), |row| basis.iter().any(|b| *b == row) && basis[own] != row);
+        on.push(normals.len(), |row| basis.contains(&row) && basis[own] != row);
     }
     for row in rows {
         let normal = normals.row(row);

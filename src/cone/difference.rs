@@ -64,13 +64,12 @@ enum Bound {
 impl Bound {
     fn system<T: Int>(self, ambient: usize, row: &[T]) -> HalfSpaces<T> {
         let mut system = HalfSpaces::none(ambient);
-        let negated = || row.iter().map(T::negated).collect::<Vec<_>>();
         match self {
             Self::Below => system.strict.push(row),
             Self::AtMost => system.closed.push(row),
             Self::On => system.equalities.push(row),
-            Self::AtLeast => system.closed.push(&negated()),
-            Self::Above => system.strict.push(&negated()),
+            Self::AtLeast => system.closed.push_negated(row),
+            Self::Above => system.strict.push_negated(row),
         }
         system
     }

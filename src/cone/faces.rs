@@ -1,10 +1,9 @@
 //! Missing faces of images and sums.
 
-use super::bits::{BitRows, count, has, is_subset};
-use super::linear::dot_sign;
+use super::bits::{BitRows, Set, all, count, has, intersect, is_subset};
 use super::pair::{Pair, incidence};
 use crate::exact::{Int, Matrix, Overflow};
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 /// A summand whose missing faces may be missing from the sum: its rays mapped into the sum's space, and for each of its
 /// missing faces the rays that span it (with the lineality space).
@@ -36,12 +35,12 @@ pub(super) fn missing_faces<T: Int>(
     if is_missing(&[]) {
         return Ok(None);
     }
-    let mut missing: Vec<Vec<u64>> = Vec::new();
-    let mut seen = HashSet::new();
-    let mut open = vec![common(&on, &[], n_rays)];
+    let mut missing: Vec<Set> = Vec::new();
+    let mut seen = BTreeSet::new();
+    let mut open = vec![all(n_rays)];
     while let Some(face) = open.pop() {
         for below in subfaces(&on, &face) {
-            if !seen.insert(below.clone()) || missing.iter().any(|gone| is_subset(&below, gone)) {
+            if missing.iter().any(|gone| is_subset(&below, gone)) || !seen.insert(below.clone()) {
                 continue;
             }
             if is_missing(&tight_facets(&on, &below, n_facets)) {
@@ -58,9 +57,9 @@ pub(super) fn missing_faces<T: Int>(
 }
 
 /// Every face as a ray set, larger before smaller along each chain.
-pub(super) fn all_faces(on: &BitRows, n_rays: usize) -> Vec<Vec<u64>> {
-    let mut faces = vec![common(on, &[], n_rays)];
-    let mut seen: HashSet<Vec<u64>> = faces.iter().cloned().collect();
+pub(super) fn all_faces(on: &BitRows, n_rays: usize) -> Vec<Set> {
+    let mut faces = vec![all(n_rays)];
+    let mut seen: BTreeSet<Set> = faces.iter().cloned().collect();
     let mut next = 0;
     while next < faces.len() {
         for below in subfaces(on, &faces[next]) {
@@ -74,11 +73,11 @@ pub(super) fn all_faces(on: &BitRows, n_rays: usize) -> Vec<Vec<u64>> {
 }
 
 /// Facets of a face, as ray sets: its maximal proper intersections with facets of the cone.
-pub(super) fn subfaces(on: &BitRows, face: &[u64]) -> Vec<Vec<u64>> {
-    let mut maximal: Vec<Vec<u64>> = Vec::new();
+pub(super) fn subfaces(on: &BitRows, face: &[u64]) -> Vec<Set> {
+    let mut maximal: Vec<Set> = Vec::new();
     for facet in on.rows() {
-        let below: Vec<u64> = face.iter().zip(facet).map(|(a, b)| a & b).collect();
-        if below == face || maximal.iter().any(|kept| is_subset(&below, kept)) {
+        let below = intersect(face, facet);
+        if below.as_slice() == face || maximal.iter().any(|kept| is_subset(&below, kept)) {
             continue;
         }
         maximal.retain(|kept| !is_subset(kept, &below));
@@ -88,14 +87,8 @@ pub(super) fn subfaces(on: &BitRows, face: &[u64]) -> Vec<Vec<u64>> {
 }
 
 /// Rays on all `facets`.
-pub(super) fn common(on: &BitRows, facets: &[usize], n_rays: usize) -> Vec<u64> {
-    let mut all = BitRows::new(n_rays);
-    all.push(n_rays, |_| true);
-    let mut rays = all.row(0).to_vec();
-    for facet in facets {
-        rays.iter_mut().zip(on.row(*facet)).for_each(|(word, other)| *word &= other);
-    }
-    rays
+pub(super) fn common(on: &BitRows, facets: &[usize], n_rays: usize) -> Set {
+    facets.iter().fold(all(n_rays), |rays, facet| intersect(&rays, on.row(*facet)))
 }
 
 /// Facets that contain all rays of `face`.
@@ -112,11 +105,10 @@ pub(super) fn faces_of_strict_normals<T: Int>(
     if strict.is_empty() {
         return Ok(Some(Vec::new()));
     }
-    let mut maximal: Vec<Vec<u64>> = Vec::new();
+    let mut maximal: Vec<Set> = Vec::new();
     for normal in strict.rows() {
         let mut face = BitRows::new(n_rays);
-        let signs = pair.rays().rows().map(|ray| dot_sign(normal, ray)).collect::<Result<Vec<_>, _>>()?;
-        face.push(n_rays, |ray| signs[ray].is_eq());
+        face.push_zeros(normal, pair.rays())?;
         let face = face.row(0);
         if count(face) == n_rays {
             return Ok(None);
@@ -125,7 +117,7 @@ pub(super) fn faces_of_strict_normals<T: Int>(
             continue;
         }
         maximal.retain(|kept| !is_subset(kept, face));
-        maximal.push(face.to_vec());
+        maximal.push(face.into());
     }
     let on = incidence(pair.facets(), pair.rays())?;
     let mut tight: Vec<_> = maximal.iter().map(|face| tight_facets(&on, face, pair.facets().len())).collect();

@@ -1,6 +1,6 @@
 //! Fraction-free linear algebra on primitive integer rows.
 
-use crate::exact::{Int, Matrix, Overflow};
+use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
 /// A basis in reduced row echelon form: primitive rows, positive pivots, zeros above and below each pivot.
@@ -17,7 +17,7 @@ pub(super) fn echelon<T: Int>(rows: &Matrix<T>) -> Result<Echelon<T>, Overflow> 
     if rows.is_empty() {
         return Ok(Echelon { rows: Matrix::new(columns), pivots });
     }
-    let mut work: Vec<Vec<T>> = rows.rows().map(<[T]>::to_vec).collect();
+    let mut work: Vec<Entries<T>> = rows.rows().map(|row| row.iter().cloned().collect()).collect();
     for column in 0..columns {
         let rank = pivots.len();
         let Some(found) = (rank..work.len()).find(|row| work[*row][column].sign().is_ne()) else { continue };
@@ -28,7 +28,7 @@ pub(super) fn echelon<T: Int>(rows: &Matrix<T>) -> Result<Echelon<T>, Overflow> 
         T::make_primitive(&mut work[rank]);
         let pivot_row = work[rank].clone();
         for (index, row) in work.iter_mut().enumerate() {
-            if index != rank {
+            if index != rank && row[column].sign().is_ne() {
                 *row = eliminated(row, &pivot_row, column)?;
             }
         }
@@ -38,29 +38,35 @@ pub(super) fn echelon<T: Int>(rows: &Matrix<T>) -> Result<Echelon<T>, Overflow> 
 }
 
 impl<T: Int> Echelon<T> {
-    /// The primitive row equal to `row` modulo the basis with zeros in the pivot columns; zero if `row` is in the span.
-    pub(super) fn reduce(&self, row: &[T]) -> Result<Vec<T>, Overflow> {
-        let mut reduced = row.to_vec();
+    /// Replaces `row` by the primitive row equal to it modulo the basis with zeros in the pivot columns, which is zero
+    /// if `row` is in the span.
+    pub(super) fn reduce(&self, row: &mut [T]) -> Result<(), Overflow> {
         for (basis_row, pivot) in self.rows.rows().zip(&self.pivots) {
-            reduced = eliminated(&reduced, basis_row, *pivot)?;
+            if row[*pivot].sign().is_ne() {
+                row.clone_from_slice(&eliminated(row, basis_row, *pivot)?);
+            }
         }
-        T::make_primitive(&mut reduced);
-        Ok(reduced)
+        T::make_primitive(row);
+        Ok(())
     }
 }
 
 /// `row` with `column` cleared by a positive multiple of itself plus a multiple of `pivot_row` (positive pivot).
-fn eliminated<T: Int>(row: &[T], pivot_row: &[T], column: usize) -> Result<Vec<T>, Overflow> {
-    if row[column].sign() == Ordering::Equal {
-        return Ok(row.to_vec());
-    }
-    let mut out = Vec::with_capacity(row.len());
+fn eliminated<T: Int>(row: &[T], pivot_row: &[T], column: usize) -> Result<Entries<T>, Overflow> {
+    let mut out = Entries::new();
     T::combine(&pivot_row[column].widen(), row, &row[column].negated().widen(), pivot_row, &mut out)?;
     Ok(out)
 }
 
 pub(super) fn is_zero<T: Int>(row: &[T]) -> bool {
     row.iter().all(|value| value.sign() == Ordering::Equal)
+}
+
+/// Replaces `out` by the primitive form of `a × b` in three dimensions.
+pub(super) fn cross<T: Int>(a: &[T], b: &[T], out: &mut Entries<T>) -> Result<(), Overflow> {
+    let minor = |i: usize, j: usize| T::dot(&[a[i].clone(), a[j].negated()], &[b[j].clone(), b[i].clone()]);
+    out.clear();
+    T::primitive(&[minor(1, 2)?, minor(2, 0)?, minor(0, 1)?], out)
 }
 
 pub(super) fn dot_sign<T: Int>(a: &[T], b: &[T]) -> Result<Ordering, Overflow> {
@@ -71,10 +77,11 @@ pub(super) fn dot_sign<T: Int>(a: &[T], b: &[T]) -> Result<Ordering, Overflow> {
 pub(super) fn positive_combination<'a, T: Int + 'a>(
     columns: usize,
     rows: impl IntoIterator<Item = &'a [T]>,
-) -> Result<Vec<T>, Overflow> {
+) -> Result<Entries<T>, Overflow> {
     let one = T::unit().widen();
-    rows.into_iter().try_fold(vec![T::default(); columns], |total, row| {
-        let mut out = Vec::with_capacity(columns);
+    let zero = Entries::from_elem(T::default(), columns);
+    rows.into_iter().try_fold(zero, |total, row| {
+        let mut out = Entries::new();
         T::combine(&one, &total, &one, row, &mut out)?;
         Ok(out)
     })

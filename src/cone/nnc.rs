@@ -1,8 +1,10 @@
 //! Cones that need not be closed: a closed cone less some of its faces.
 
+use super::bits::count;
+use super::cut::cut_space;
 use super::faces::{Summand, faces_of_strict_normals, missing_faces, rays_of_missing};
 use super::linear::{dot_sign, positive_combination};
-use super::pair::{Generators, Pair};
+use super::pair::{Generators, Pair, incidence};
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A system of linear conditions on `x`.
@@ -23,12 +25,20 @@ impl<T: Int> HalfSpaces<T> {
         Self { equalities: Matrix::new(ambient), closed: Matrix::new(ambient), strict: Matrix::new(ambient) }
     }
 
+    /// All normals, strict or not: those of the closure, if anything satisfies the system.
+    fn normals(&self) -> Matrix<T> {
+        let mut normals = Matrix::with_capacity(self.closed.columns(), self.closed.len() + self.strict.len());
+        normals.append(&self.closed);
+        normals.append(&self.strict);
+        normals
+    }
+
     /// The conditions of both.
     #[must_use]
     pub fn and(mut self, other: &Self) -> Self {
-        other.equalities.rows().for_each(|row| self.equalities.push(row));
-        other.closed.rows().for_each(|row| self.closed.push(row));
-        other.strict.rows().for_each(|row| self.strict.push(row));
+        self.equalities.append(&other.equalities);
+        self.closed.append(&other.closed);
+        self.strict.append(&other.strict);
         self
     }
 }
@@ -57,9 +67,7 @@ impl<T: Int> Cone<T> {
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_half_spaces(system: &HalfSpaces<T>) -> Result<Option<Self>, Overflow> {
-        let mut normals = system.closed.clone();
-        system.strict.rows().for_each(|row| normals.push(row));
-        let closure = Pair::from_normals(&system.equalities, &normals)?;
+        let closure = Pair::from_normals(&system.equalities, &system.normals())?;
         let missing = faces_of_strict_normals(&closure, &system.strict)?;
         Ok(missing.map(|missing| Self { closure, missing }))
     }
@@ -131,7 +139,7 @@ impl<T: Int> Cone<T> {
     /// # Errors
     /// [`Overflow`] if the point does not fit.
     pub fn inner_point(&self) -> Result<Vec<T>, Overflow> {
-        positive_combination(self.closure.ambient(), self.closure.rays().rows())
+        positive_combination(self.closure.ambient(), self.closure.rays().rows()).map(|point| point.to_vec())
     }
 
     /// The intersection, or `None` if it is empty.
@@ -148,24 +156,30 @@ impl<T: Int> Cone<T> {
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn sum(&self, other: &Self) -> Result<Self, Overflow> {
         let mut generators = self.generators();
-        other.closure.lines().rows().for_each(|row| generators.lines.push(row));
-        other.closure.rays().rows().for_each(|row| generators.rays.push(row));
+        generators.lines.append(other.closure.lines());
+        generators.rays.append(other.closure.rays());
         let closure = Pair::from_generators(&generators)?;
         Self::with_missing_of(closure, &[self.summand()?, other.summand()?])
     }
 
-    /// The Minkowski sum with the closed cone that `rays` span.
+    /// The Minkowski sum of the set that satisfies `system` and the closed cone that `rays` span, or `None` if the former
+    /// is empty: as [`Cone::from_half_spaces`] and [`Cone::sum`] in one, without the facets of the former.
     ///
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
-    pub fn plus_rays(&self, rays: &Matrix<T>) -> Result<Self, Overflow> {
-        let mut generators = self.generators();
-        rays.rows().for_each(|row| generators.rays.push(row));
-        let closure = Pair::from_generators(&generators)?;
-        if self.missing.is_empty() {
-            return Ok(closure.into());
+    pub fn from_half_spaces_plus(system: &HalfSpaces<T>, rays: &Matrix<T>) -> Result<Option<Self>, Overflow> {
+        let cut = cut_space(&system.equalities, &system.normals())?;
+        let missing = incidence(&system.strict, &cut.rays)?;
+        if missing.rows().any(|face| count(face) == cut.rays.len()) {
+            return Ok(None);
         }
-        Self::with_missing_of(closure, &[self.summand()?])
+        let mut generators = Generators { lines: cut.lines, rays: cut.rays.clone() };
+        generators.rays.append(rays);
+        let closure = Pair::from_generators(&generators)?;
+        if system.strict.is_empty() {
+            return Ok(Some(closure.into()));
+        }
+        Self::with_missing_of(closure, &[Summand { rays: cut.rays, missing }]).map(Some)
     }
 
     /// The image under the linear map `x -> map · x`, one row of `map` for each coordinate of the image.

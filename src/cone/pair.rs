@@ -133,8 +133,7 @@ impl<T: Int> Pair<T> {
 pub(super) fn incidence<T: Int>(normals: &Matrix<T>, rays: &Matrix<T>) -> Result<BitRows, Overflow> {
     let mut on = BitRows::new(rays.len());
     for normal in normals.rows() {
-        let signs = rays.rows().map(|ray| dot_sign(normal, ray)).collect::<Result<Vec<_>, _>>()?;
-        on.push(rays.len(), |ray| signs[ray].is_eq());
+        on.push_zeros(normal, rays)?;
     }
     Ok(on)
 }
@@ -154,7 +153,17 @@ fn facet_rows(on: &BitRows, n_rays: usize) -> Vec<usize> {
 }
 
 fn canonical_rows<'a, T: Int>(modulo: &Echelon<T>, rows: impl Iterator<Item = &'a [T]>) -> Result<Matrix<T>, Overflow> {
-    let mut reduced = rows.map(|row| modulo.reduce(row)).collect::<Result<Vec<_>, _>>()?;
-    reduced.sort();
-    Ok(Matrix::from_rows(modulo.rows.columns(), reduced))
+    let columns = modulo.rows.columns();
+    let mut reduced = Matrix::with_capacity(columns, rows.size_hint().0);
+    for row in rows {
+        reduced.push(row);
+        let last = reduced.len() - 1;
+        modulo.reduce(reduced.row_mut(last))?;
+    }
+    if reduced.rows().is_sorted() {
+        return Ok(reduced);
+    }
+    let mut sorted: Vec<&[T]> = reduced.rows().collect();
+    sorted.sort_unstable();
+    Ok(Matrix::from_rows(columns, sorted))
 }

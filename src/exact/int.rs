@@ -4,7 +4,7 @@
 //! the computation starts again one rung higher. Nothing wraps. On the machine rungs a row is stored in the rung's
 //! type and combined in wider intermediates, so a rung overflows only when a *primitive result* does not fit.
 
-use super::Z;
+use super::{Entries, Z};
 use num_integer::Integer as _;
 use num_traits::{One as _, ToPrimitive as _, Zero as _};
 use std::cmp::Ordering;
@@ -86,13 +86,14 @@ pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     ///
     /// # Errors
     /// [`Overflow`] if the primitive row does not fit.
-    fn combine(p: &Self::Wide, a: &[Self], q: &Self::Wide, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow>;
+    fn combine(p: &Self::Wide, a: &[Self], q: &Self::Wide, b: &[Self], out: &mut Entries<Self>)
+    -> Result<(), Overflow>;
 
     /// Appends the primitive form of a wide row to `out`.
     ///
     /// # Errors
     /// [`Overflow`] if the primitive row does not fit.
-    fn primitive(wide: &[Self::Wide], out: &mut Vec<Self>) -> Result<(), Overflow>;
+    fn primitive(wide: &[Self::Wide], out: &mut Entries<Self>) -> Result<(), Overflow>;
 
     /// Divides `row` by the greatest common divisor of its entries.
     fn make_primitive(row: &mut [Self]);
@@ -134,22 +135,21 @@ impl Int for i64 {
         if sum == i128::MIN { Err(Overflow) } else { Ok(sum) }
     }
 
-    fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow> {
-        let (p, q) = coprime(*p, *q);
-        let entry = |x: i64, y: i64| wide_combination(p, x.into(), q, y.into());
-        let mut divisor = 0_u128;
-        for (x, y) in a.iter().zip(b) {
-            divisor = gcd(divisor, entry(*x, *y).ok_or(Overflow)?.unsigned_abs());
+    fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow> {
+        match (i64::try_from(*p), i64::try_from(*q)) {
+            // |p|, |q| ≤ 2^63 and entries below 2^63: sums stay below 2^127
+            (Ok(p), Ok(q)) => {
+                let entry = |x: i64, y: i64| Some(i128::from(p) * i128::from(x) + i128::from(q) * i128::from(y));
+                narrowed(a, b, entry, out)
+            }
+            _ => {
+                let (p, q) = coprime(*p, *q);
+                narrowed(a, b, |x, y| wide_combination(p, x.into(), q, y.into()), out)
+            }
         }
-        let divisor = divisor.max(1);
-        for (x, y) in a.iter().zip(b) {
-            let value = entry(*x, *y).ok_or(Overflow)?;
-            out.push(narrow(value, divisor).ok_or(Overflow)?);
-        }
-        Ok(())
     }
 
-    fn primitive(wide: &[i128], out: &mut Vec<Self>) -> Result<(), Overflow> {
+    fn primitive(wide: &[i128], out: &mut Entries<Self>) -> Result<(), Overflow> {
         let divisor = wide.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs())).max(1);
         for value in wide {
             out.push(narrow(*value, divisor).ok_or(Overflow)?);
@@ -202,7 +202,7 @@ impl Int for i128 {
         if sum == i128::MIN { Err(Overflow) } else { Ok(sum) }
     }
 
-    fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow> {
+    fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow> {
         let (p, q) = coprime(*p, *q);
         let start = out.len();
         for (x, y) in a.iter().zip(b) {
@@ -218,7 +218,7 @@ impl Int for i128 {
         Ok(())
     }
 
-    fn primitive(wide: &[i128], out: &mut Vec<Self>) -> Result<(), Overflow> {
+    fn primitive(wide: &[i128], out: &mut Entries<Self>) -> Result<(), Overflow> {
         let start = out.len();
         out.extend_from_slice(wide);
         Self::make_primitive(&mut out[start..]);
@@ -266,16 +266,16 @@ impl Int for Z {
         Ok(a.iter().zip(b).map(|(x, y)| x * y).sum())
     }
 
-    fn combine(p: &Z, a: &[Self], q: &Z, b: &[Self], out: &mut Vec<Self>) -> Result<(), Overflow> {
+    fn combine(p: &Z, a: &[Self], q: &Z, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow> {
         let start = out.len();
         out.extend(a.iter().zip(b).map(|(x, y)| p * x + q * y));
         Self::make_primitive(&mut out[start..]);
         Ok(())
     }
 
-    fn primitive(wide: &[Z], out: &mut Vec<Self>) -> Result<(), Overflow> {
+    fn primitive(wide: &[Z], out: &mut Entries<Self>) -> Result<(), Overflow> {
         let start = out.len();
-        out.extend_from_slice(wide);
+        out.extend(wide.iter().cloned());
         Self::make_primitive(&mut out[start..]);
         Ok(())
     }
@@ -295,7 +295,7 @@ impl Int for Z {
 }
 
 /// The i128 rung's way out when a product needs more than 128 bits but the primitive row may not.
-fn combine_through_big(p: i128, a: &[i128], q: i128, b: &[i128], out: &mut Vec<i128>) -> Result<(), Overflow> {
+fn combine_through_big(p: i128, a: &[i128], q: i128, b: &[i128], out: &mut Entries<i128>) -> Result<(), Overflow> {
     let mut row: Vec<Z> = a.iter().zip(b).map(|(x, y)| Z::from(p) * Z::from(*x) + Z::from(q) * Z::from(*y)).collect();
     Z::make_primitive(&mut row);
     for value in &row {
@@ -318,9 +318,33 @@ fn wide_combination(p: i128, x: i128, q: i128, y: i128) -> Option<i128> {
     p.checked_mul(x)?.checked_add(q.checked_mul(y)?).filter(|v| *v != i128::MIN)
 }
 
+/// Appends the entries made primitive; computing them twice is cheaper than keeping them.
+fn narrowed(
+    a: &[i64],
+    b: &[i64],
+    entry: impl Fn(i64, i64) -> Option<i128>,
+    out: &mut Entries<i64>,
+) -> Result<(), Overflow> {
+    let mut divisor = 0_u128;
+    for (x, y) in a.iter().zip(b) {
+        divisor = gcd(divisor, entry(*x, *y).ok_or(Overflow)?.unsigned_abs());
+        if divisor == 1 {
+            break;
+        }
+    }
+    let divisor = divisor.max(1);
+    for (x, y) in a.iter().zip(b) {
+        out.push(narrow(entry(*x, *y).ok_or(Overflow)?, divisor).ok_or(Overflow)?);
+    }
+    Ok(())
+}
+
 fn narrow(value: i128, divisor: u128) -> Option<i64> {
-    let value = if divisor == 1 { value } else { value / i128::try_from(divisor).ok()? };
-    i64::try_from(value).ok().filter(|v| *v != i64::MIN)
+    let value = match (i64::try_from(value), i64::try_from(divisor)) {
+        (Ok(value), Ok(divisor)) => value / divisor,
+        _ => i64::try_from(value / i128::try_from(divisor).ok()?).ok()?,
+    };
+    Some(value).filter(|v| *v != i64::MIN)
 }
 
 fn gcd(a: u128, b: u128) -> u128 {
@@ -348,9 +372,9 @@ mod tests {
         type Output = Z;
 
         fn run<T: Int>(&self) -> Result<Z, Overflow> {
-            let mut row = vec![T::unit(), T::unit()];
+            let mut row: Entries<T> = [T::unit(), T::unit()].into_iter().collect();
             for _ in 0..self.0 {
-                let mut next = Vec::new();
+                let mut next = Entries::new();
                 // (2 a, 1) stays primitive
                 let one = T::unit().widen();
                 T::combine(&one, &[row[0].clone(), T::default()], &one, &[row[0].clone(), T::unit()], &mut next)?;
@@ -373,10 +397,10 @@ mod tests {
     #[test]
     fn a_product_beyond_128_bits_is_kept_when_the_primitive_row_fits() {
         let big = i128::MAX / 3;
-        let mut out = Vec::new();
+        let mut out = Entries::new();
         i128::combine(&big, &[big, 0], &1, &[0, 0], &mut out).unwrap();
-        assert_eq!(out, [1, 0]);
-        let mut out = Vec::new();
+        assert_eq!(out.as_slice(), [1, 0]);
+        let mut out = Entries::new();
         assert_eq!(i128::combine(&5, &[big, 1], &6, &[big, 0], &mut out), Err(Overflow));
     }
 
@@ -384,7 +408,7 @@ mod tests {
     fn the_least_machine_integer_is_never_stored() {
         assert_eq!(<i64 as Int>::from_z(&Z::from(i64::MIN)), None);
         assert_eq!(<i128 as Int>::from_z(&Z::from(i128::MIN)), None);
-        let mut out = Vec::new();
+        let mut out = Entries::new();
         assert_eq!(i64::combine(&1, &[i64::MIN + 1, 1], &1, &[-1, 0], &mut out), Err(Overflow));
         assert_eq!(i128::dot(&[i128::MAX], &[2]), Err(Overflow));
         assert_eq!(i64::dot(&[i64::MAX; 3], &[i64::MAX; 3]), Err(Overflow));

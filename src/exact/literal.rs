@@ -1,6 +1,7 @@
 //! Numeric literals read as the rationals that they denote, digit for digit.
 
 use super::{Q, Z};
+use num_integer::Integer as _;
 use num_traits::{Num, Zero};
 
 /// Largest accepted power of ten, so that `1e999999999` cannot fill memory.
@@ -56,8 +57,28 @@ fn decimal(text: &str) -> Result<Q, LiteralError> {
     }
     let places = i64::try_from(fraction.len()).map_err(|_| LiteralError::ExponentTooLarge)?;
     let power = exponent - places;
-    let scale = Z::from(10).pow(u32::try_from(power.unsigned_abs()).map_err(|_| LiteralError::ExponentTooLarge)?);
-    Ok(if power < 0 { Q::new(digits, scale) } else { Q::from(digits * scale) })
+    let places = u32::try_from(power.unsigned_abs()).map_err(|_| LiteralError::ExponentTooLarge)?;
+    Ok(if power < 0 { over_power_of_ten(digits, places) } else { Q::from(digits * Z::from(10).pow(places)) })
+}
+
+/// `digits / 10^places` reduced; only twos and fives can be common, which is far cheaper to see than a full divisor.
+fn over_power_of_ten(mut digits: Z, places: u32) -> Q {
+    if digits.is_zero() {
+        return Q::zero();
+    }
+    let (mut twos, mut fives) = (places, places);
+    let even = digits.trailing_zeros().map_or(0, |zeros| zeros.min(twos.into()));
+    digits >>= even;
+    twos -= even as u32;
+    while fives > 0 {
+        let (quotient, remainder) = digits.div_rem(&Z::from(5));
+        if !remainder.is_zero() {
+            break;
+        }
+        digits = quotient;
+        fives -= 1;
+    }
+    Q::new_raw(digits, Z::from(5).pow(fives) << twos)
 }
 
 fn exponent(text: &str) -> Result<i64, LiteralError> {
@@ -85,4 +106,18 @@ pub enum LiteralError {
     /// The exponent is beyond [`MAX_EXPONENT`].
     #[error("decimal exponents beyond ±{MAX_EXPONENT} are not accepted")]
     ExponentTooLarge,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `new_raw` trusts its caller: the value must be the one that a full reduction gives.
+    #[test]
+    fn decimals_are_reduced() {
+        for (digits, places) in [(0, 3), (5, 1), (-125, 3), (1024, 10), (7_000, 2), (390_625, 8), (-3, 0), (12, 20)] {
+            let scale = Z::from(10).pow(places);
+            assert_eq!(over_power_of_ten(Z::from(digits), places), Q::new(Z::from(digits), scale));
+        }
+    }
 }

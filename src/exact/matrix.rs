@@ -3,19 +3,37 @@
 use super::{Int, Q, Z};
 use num_integer::Integer as _;
 use num_traits::One as _;
+use smallvec::SmallVec;
+
+/// Entries of rows, on the stack while there are few: most cones in wrench space have at most four rows a side.
+pub type Entries<T> = SmallVec<[T; 12]>;
 
 /// A list of rows of equal length, stored flat.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix<T> {
     columns: usize,
-    entries: Vec<T>,
+    entries: Entries<T>,
 }
 
 impl<T: Int> Matrix<T> {
     /// No rows yet.
     #[must_use]
     pub fn new(columns: usize) -> Self {
-        Self { columns, entries: Vec::new() }
+        Self { columns, entries: Entries::new() }
+    }
+
+    /// No rows yet, with room for `rows` of them.
+    #[must_use]
+    pub fn with_capacity(columns: usize, rows: usize) -> Self {
+        Self { columns, entries: Entries::with_capacity(columns * rows) }
+    }
+
+    /// The unit vectors.
+    #[must_use]
+    pub fn identity(size: usize) -> Self {
+        let mut entries = Entries::from_elem(T::default(), size * size);
+        entries.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = T::unit());
+        Self { columns: size, entries }
     }
 
     /// The rows that `rows` yields.
@@ -23,7 +41,8 @@ impl<T: Int> Matrix<T> {
     /// # Panics
     /// If a row does not have `columns` entries.
     pub fn from_rows<R: AsRef<[T]>>(columns: usize, rows: impl IntoIterator<Item = R>) -> Self {
-        let mut matrix = Self::new(columns);
+        let rows = rows.into_iter();
+        let mut matrix = Self::with_capacity(columns, rows.size_hint().0);
         for row in rows {
             matrix.push(row.as_ref());
         }
@@ -65,11 +84,51 @@ impl<T: Int> Matrix<T> {
     /// If the row does not have [`Matrix::columns`] entries.
     pub fn push(&mut self, row: &[T]) {
         assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
-        self.entries.extend_from_slice(row);
+        self.entries.extend(row.iter().cloned());
+    }
+
+    /// Appends the negative of a row.
+    ///
+    /// # Panics
+    /// If the row does not have [`Matrix::columns`] entries.
+    pub fn push_negated(&mut self, row: &[T]) {
+        assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
+        self.entries.extend(row.iter().map(T::negated));
+    }
+
+    /// Appends all rows of `other`.
+    ///
+    /// # Panics
+    /// If the columns differ.
+    pub fn append(&mut self, other: &Self) {
+        assert_eq!(other.columns, self.columns, "matrices must have the same columns");
+        self.entries.extend(other.entries.iter().cloned());
+    }
+
+    /// Takes row `index` out; the last row takes its place.
+    pub fn swap_remove(&mut self, index: usize) -> Entries<T> {
+        let last = self.len() - 1;
+        let taken = self.row(index).iter().cloned().collect();
+        if index < last {
+            let (head, tail) = self.entries.split_at_mut(last * self.columns);
+            head[index * self.columns..(index + 1) * self.columns].clone_from_slice(tail);
+        }
+        self.entries.truncate(last * self.columns);
+        taken
+    }
+
+    /// Row `index`, to be changed in place.
+    pub fn row_mut(&mut self, index: usize) -> &mut [T] {
+        &mut self.entries[index * self.columns..(index + 1) * self.columns]
+    }
+
+    /// Drops all rows.
+    pub fn clear(&mut self) {
+        self.entries.clear();
     }
 
     /// The flat entries, for kernels that append whole rows in place.
-    pub fn entries_mut(&mut self) -> &mut Vec<T> {
+    pub fn entries_mut(&mut self) -> &mut Entries<T> {
         &mut self.entries
     }
 }

@@ -9,7 +9,7 @@ mod rational;
 
 pub use int::{Int, Ladder, Overflow, Rung, climb};
 pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
-pub use matrix::{Matrix, primitive_row};
+pub use matrix::{Entries, Matrix, primitive_row};
 pub use rational::{approximate, from_float_exact, parse, ratio, round_down, round_up, to_f64};
 
 /// Integers of any size.

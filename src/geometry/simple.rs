@@ -14,8 +14,9 @@ const GRID: i64 = 1 << 60;
 pub(super) fn faults(vertices: &[[Q; 2]], scaled: &Scaled) -> Vec<PolygonFault> {
     let chain = Chain::new(vertices, scaled);
     let mut faults = repeated_vertices(&chain);
-    faults.extend(spikes(&chain));
-    faults.extend(crossings(&chain, MAX_REPORTED_FAULTS.saturating_sub(faults.len())));
+    let spikes = spikes(&chain);
+    faults.extend(crossings(&chain, &spikes, MAX_REPORTED_FAULTS.saturating_sub(faults.len() + spikes.len())));
+    faults.extend(spikes.into_iter().map(|vertex| PolygonFault::Spike { vertex }));
     faults.truncate(MAX_REPORTED_FAULTS);
     faults
 }
@@ -113,7 +114,7 @@ fn repeated_vertices(chain: &Chain) -> Vec<PolygonFault> {
         .collect()
 }
 
-fn spikes(chain: &Chain) -> Vec<PolygonFault> {
+fn spikes(chain: &Chain) -> Vec<usize> {
     let n = chain.len();
     (0..n)
         .filter(|vertex| {
@@ -124,11 +125,10 @@ fn spikes(chain: &Chain) -> Vec<PolygonFault> {
             }
         })
         .take(MAX_REPORTED_FAULTS)
-        .map(|vertex| PolygonFault::Spike { vertex })
         .collect()
 }
 
-fn crossings(chain: &Chain, limit: usize) -> Vec<PolygonFault> {
+fn crossings(chain: &Chain, spikes: &[usize], limit: usize) -> Vec<PolygonFault> {
     let n = chain.len();
     let bounds: Vec<[[i64; 2]; 2]> = (0..n)
         .map(|edge| {
@@ -151,7 +151,9 @@ fn crossings(chain: &Chain, limit: usize) -> Vec<PolygonFault> {
             if neighbours || other_high < low || high < other_low {
                 continue;
             }
-            if let Some(at) = meeting_point(chain, first, second) {
+            if let Some(at) = meeting_point(chain, first, second)
+                && !belongs_to_spike(chain, spikes, [first, second], &at)
+            {
                 if found.len() == limit {
                     break 'sweep;
                 }
@@ -162,6 +164,17 @@ fn crossings(chain: &Chain, limit: usize) -> Vec<PolygonFault> {
     }
     found.sort_by_key(|(first, second, _)| (*first, *second));
     found.into_iter().map(|(first, second, at)| PolygonFault::Crossing { first, second, at }).collect()
+}
+
+/// Whether two edges, both next to a spike's, meet only because it turns back over one of its neighbours.
+fn belongs_to_spike(chain: &Chain, spikes: &[usize], edges: [usize; 2], at: &[Q; 2]) -> bool {
+    let n = chain.len();
+    spikes.iter().any(|vertex| {
+        let [far_before, before, after] = [vertex + n - 2, vertex + n - 1, vertex + 1].map(|i| i % n);
+        let is_pair = |a: usize, b: usize| edges == [a.min(b), a.max(b)];
+        (is_pair(before, after) && *at == chain.vertices[after])
+            || (is_pair(far_before, *vertex) && *at == chain.vertices[before])
+    })
 }
 
 /// A common point of two edges; `None` also where two equal vertices meet, which is a fault of its own.

@@ -18,7 +18,8 @@ use std::collections::BTreeSet;
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
 pub fn feasible_modes<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<Vec<Interaction>>, Overflow> {
-    let separating = Matrix::from_rows(3, contacts.iter().map(|c| negated(&c.normal_acceleration)));
+    let mut separating = Matrix::with_capacity(3, contacts.len());
+    contacts.iter().for_each(|contact| separating.push_negated(&contact.normal_acceleration));
     let reachable = Pair::from_normals(&Matrix::new(3), &separating)?;
     let mut modes = BTreeSet::new();
     for face in reachable.faces()? {
@@ -60,7 +61,7 @@ fn cells<T: Int>(contacts: &[ContactRows<T>], persisting: &[usize], face: &Pair<
             for letter in [Interaction::SlideLeft, Interaction::SlideRight, Interaction::Roll] {
                 let mut side = HalfSpaces::none(3);
                 match letter {
-                    Interaction::SlideLeft => side.strict.push(&negated(tangent)),
+                    Interaction::SlideLeft => side.strict.push_negated(tangent),
                     Interaction::SlideRight => side.strict.push(tangent),
                     _ => side.equalities.push(tangent),
                 }
@@ -83,8 +84,4 @@ fn vanishes<T: Int>(row: &[T], on: &Matrix<T>) -> Result<bool, Overflow> {
         }
     }
     Ok(true)
-}
-
-fn negated<T: Int>(row: &[T]) -> Vec<T> {
-    row.iter().map(T::negated).collect()
 }

@@ -29,8 +29,7 @@ pub fn mode_cone<T: Int>(
     mode: &[Interaction],
     strict_s: bool,
 ) -> Result<Option<Cone<T>>, Overflow> {
-    let accelerations = Cone::from_half_spaces(&acceleration_system(contacts, mode, strict_s))?;
-    accelerations.map(|cone| cone.plus_rays(&force_rays(contacts, mode))).transpose()
+    Cone::from_half_spaces_plus(&acceleration_system(contacts, mode, strict_s), &force_rays(contacts, mode))
 }
 
 /// The constraints of `mode` on `w = M v'`.
@@ -44,13 +43,13 @@ pub fn acceleration_system<T: Int>(contacts: &[ContactRows<T>], mode: &[Interact
     for (contact, interaction) in contacts.iter().zip(mode) {
         let (normal, tangent) = (&contact.normal_acceleration, &contact.tangent_acceleration);
         match interaction {
-            Interaction::Separate if strict_s => system.strict.push(&negated(normal)),
-            Interaction::Separate => system.closed.push(&negated(normal)),
+            Interaction::Separate if strict_s => system.strict.push_negated(normal),
+            Interaction::Separate => system.closed.push_negated(normal),
             Interaction::Approach => system.strict.push(normal),
             Interaction::Unconstrained => {}
             Interaction::SlideLeft => {
                 system.equalities.push(normal);
-                system.strict.push(&negated(tangent));
+                system.strict.push_negated(tangent);
             }
             Interaction::SlideRight => {
                 system.equalities.push(normal);
@@ -89,8 +88,4 @@ pub fn force_rays<T: Int>(contacts: &[ContactRows<T>], mode: &[Interaction]) -> 
 pub fn balanced_cone<T: Int>(contacts: &[ContactRows<T>]) -> Result<Cone<T>, Overflow> {
     let rays = Matrix::from_rows(3, contacts.iter().flat_map(|contact| &contact.sure_forces));
     Pair::from_generators(&crate::cone::Generators { lines: Matrix::new(3), rays }).map(Cone::from)
-}
-
-fn negated<T: Int>(row: &[T]) -> Vec<T> {
-    row.iter().map(T::negated).collect()
 }

@@ -1,7 +1,7 @@
 //! Which directions of a plane of wrenches lie in a set: arcs between exact directions.
 
 use crate::cone::Cone;
-use crate::exact::{Int, Overflow};
+use crate::exact::{Entries, Int, Overflow};
 use std::cmp::Ordering;
 
 /// A set of wrenches seen from a plane: it holds the direction `d` if `map · d` is in (or outside all of) some cones.
@@ -113,10 +113,9 @@ impl<T: Int> PlanarCone<T> {
         let kinds = [(&system.equalities, Ordering::Equal, true), (&system.closed, Ordering::Less, true)];
         for (rows, side, closed) in kinds.into_iter().chain([(&system.strict, Ordering::Less, false)]) {
             for row in rows.rows() {
-                let mut planar = Vec::with_capacity(2);
+                let mut planar = Entries::new();
                 T::primitive(&[T::dot(row, &map[0])?, T::dot(row, &map[1])?], &mut planar)?;
-                let [a, b] = <[T; 2]>::try_from(planar).expect("two coordinates make two products");
-                conditions.push((side, closed, [a, b]));
+                conditions.push((side, closed, [planar[0].clone(), planar[1].clone()]));
             }
         }
         Ok(Self { conditions })
@@ -156,7 +155,7 @@ pub(super) fn turn<T: Int>(a: &[T; 2], b: &[T; 2]) -> Ordering {
 /// A direction strictly between two that are less than half a turn apart.
 fn between<T: Int>(a: &[T; 2], b: &[T; 2]) -> Result<[T; 2], Overflow> {
     let one = T::unit().widen();
-    let mut sum = Vec::with_capacity(2);
+    let mut sum = Entries::new();
     T::combine(&one, a, &one, b, &mut sum)?;
-    Ok(<[T; 2]>::try_from(sum).expect("two coordinates"))
+    Ok([sum[0].clone(), sum[1].clone()])
 }

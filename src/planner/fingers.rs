@@ -30,7 +30,7 @@ impl Pushes {
         let com = &part.center_of_mass;
         match &part.shape {
             Shape::Polygon(polygon) => {
-                let edges = (0..polygon.vertices().len()).map(|edge| edge_plane(polygon, edge, com)).collect();
+                let edges = (0..polygon.n_edges()).map(|edge| edge_plane(polygon, edge, com)).collect();
                 Self { edges, circle: None }
             }
             Shape::Circle { center, .. } => {
@@ -51,7 +51,7 @@ pub(super) fn tilt_plane() -> [Vec<Z>; 2] {
 /// Wrench of a push on `edge` at its first and at its last vertex, with one common factor.
 fn edge_plane(polygon: &Polygon, edge: usize, com: &[Q; 2]) -> [Vec<Z>; 2] {
     let [a, b] = polygon.edge(edge);
-    let normal = [&a[1] - &b[1], &b[0] - &a[0]];
+    let normal = polygon.inward_normal(edge);
     let torque = |p: &[Q; 2]| (&p[0] - &com[0]) * &normal[1] - (&p[1] - &com[1]) * &normal[0];
     let (first, last) = (torque(a), torque(b));
     let [x, y] = normal;
@@ -108,14 +108,8 @@ fn interval<T: Int>(polygon: &Polygon, edge: usize, run: &Run<T>) -> Interval {
         Q::new(last.clone(), first + last)
     };
     let s = [share(&run.from), share(&run.to)];
-    let points = [point_on_edge(polygon, edge, &s[0]), point_on_edge(polygon, edge, &s[1])];
+    let points = s.clone().map(|share| polygon.point(&polygon.location(edge, share)));
     Interval { s, closed: run.closed, points }
-}
-
-/// The point at share `s` of an edge.
-pub(super) fn point_on_edge(polygon: &Polygon, edge: usize, s: &Q) -> [Q; 2] {
-    let [a, b] = polygon.edge(edge);
-    [&a[0] + (&b[0] - &a[0]) * s, &a[1] + (&b[1] - &a[1]) * s]
 }
 
 fn one() -> Q {

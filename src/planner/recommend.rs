@@ -1,9 +1,10 @@
 //! The push or tilt with the largest margin.
 
-use super::fingers::{Pushes, point_on_edge, tilt_plane};
+use super::fingers::{Pushes, tilt_plane};
 use crate::answer::{Action, Arc, ArcSet, FingerSet, Interval, Recommendation};
 use crate::cone::Cone;
 use crate::exact::{Int, Q, Z, approximate, from_float_exact, primitive_row, ratio, to_f64};
+use crate::geometry::{difference, dot};
 use crate::model::{Part, Shape};
 use num_traits::{Signed, Zero};
 
@@ -56,8 +57,7 @@ fn dual_norm2(normal: &[Z], rho2: &Q) -> Q {
     Q::from(&normal[0] * &normal[0] + &normal[1] * &normal[1]) + rho2 * Q::from(&normal[2] * &normal[2])
 }
 
-/// Of one candidate in each interval and arc (places along the widest-margined interval are then refined) the one with
-/// the largest margin; a bare wrench if nothing simpler is in the set.
+/// The candidate with the largest margin, one from each interval and arc; a bare wrench if nothing simpler is in the set.
 pub(super) fn recommend<T: Int>(
     part: &Part,
     pushes: &Pushes,
@@ -100,7 +100,10 @@ pub(super) fn recommend<T: Int>(
     Some(Recommendation { margin2: best.0, action: best.1, wrench: best.2 })
 }
 
-/// The place with the largest margin among eighths of the interval.
+/// The place with the largest margin among eighths of the interval and then sixteenths about the best of them.
+///
+/// The margin of a place is that of its wrench, but no more than its distance from the ends of the edge over the radius
+/// of gyration: a finger must not slip off a corner either.
 fn best_in_interval(
     part: &Part,
     pushes: &Pushes,
@@ -108,19 +111,23 @@ fn best_in_interval(
     interval: &Interval,
     margins: &Margins,
 ) -> (Q, Action, [Q; 3]) {
-    let [low, high] = &interval.s;
-    let place = |eighth: i64| {
-        let s = low + (high - low) * ratio(eighth, 8);
-        let wrench = between(&pushes.edges[edge], &s);
-        (margins.margin2(&wrench), s, wrench)
-    };
-    let middle = place(4);
-    let others = [3, 5, 2, 6, 1, 7].into_iter().map(place);
-    let (margin2, s, wrench) = others.fold(middle, |best, other| if other.0 > best.0 { other } else { best });
     let Shape::Polygon(polygon) = &part.shape else { unreachable!("only polygons have edges") };
-    let point = point_on_edge(polygon, edge, &s);
     let [a, b] = polygon.edge(edge);
-    let direction = [&a[1] - &b[1], &b[0] - &a[0]];
+    let along = difference(a, b);
+    let length2 = dot(&along, &along) / &margins.rho2;
+    let [low, high] = &interval.s;
+    let place = |sixteenth: i64| {
+        let s = low + (high - low) * ratio(sixteenth, 16);
+        let wrench = between(&pushes.edges[edge], &s);
+        let to_end = s.clone().min(ratio(1, 1) - &s);
+        let margin2 = margins.margin2(&wrench).min(&to_end * &to_end * &length2);
+        (margin2, sixteenth, s, wrench)
+    };
+    let better = |best: (Q, i64, Q, [Q; 3]), other: (Q, i64, Q, [Q; 3])| if other.0 > best.0 { other } else { best };
+    let best = [6, 10, 4, 12, 2, 14].into_iter().map(place).fold(place(8), better);
+    let (margin2, _, s, wrench) = [best.1 - 1, best.1 + 1].into_iter().map(place).fold(best, better);
+    let point = polygon.point(&polygon.location(edge, s.clone()));
+    let direction = polygon.inward_normal(edge);
     (margin2, Action::PushEdge { edge, interval: interval.clone(), s, point, direction }, wrench)
 }
 

@@ -58,9 +58,15 @@ pub(super) struct Sets<T> {
     pub(super) strong_holes: Vec<Cone<T>>,
     /// Cones outside of which the part seats from every state, with their modes; `None` if together they are known to
     /// cover everything because the normals' wrenches are dependent.
-    pub(super) goal_holes: Option<Vec<(Mode, Cone<T>)>>,
-    asked: Vec<(String, Option<Cone<T>>)>,
+    pub(super) goal_holes: Option<Vec<ModeCone<T>>>,
+    asked: Vec<AskedCone<T>>,
 }
+
+/// A mode and its wrenches.
+type ModeCone<T> = (Mode, Cone<T>);
+
+/// A mode that was asked for, by name, and its wrenches if it has any.
+type AskedCone<T> = (String, Option<Cone<T>>);
 
 impl<T: Int> Sets<T> {
     pub(super) fn of(contacts: &[Contact], question: &Question) -> Result<Self, Overflow> {
@@ -131,10 +137,7 @@ fn on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow
     contacts.iter().map(Contact::on_rung).collect()
 }
 
-fn asked_modes<T: Int>(
-    contacts: &[ContactRows<T>],
-    question: &Question,
-) -> Result<Vec<(String, Option<Cone<T>>)>, Overflow> {
+fn asked_modes<T: Int>(contacts: &[ContactRows<T>], question: &Question) -> Result<Vec<AskedCone<T>>, Overflow> {
     let cone = |mode: &Mode| Ok((mode.to_string(), mode_cone(contacts, &mode.0, question.strict_s)?));
     question.modes.iter().map(cone).collect()
 }
@@ -154,8 +157,7 @@ fn moving_cones<T: Int>(contacts: &[ContactRows<T>], feasible: &[Vec<Interaction
         let opposite: Vec<T> = pivot.iter().map(T::negated).collect();
         for strict in [pivot.to_vec(), opposite] {
             let system = HalfSpaces { strict: Matrix::from_rows(3, [strict]), ..fixed.clone() };
-            let turning = Cone::from_half_spaces(&system)?.expect("half of a line is not empty");
-            cones.push(turning.plus_rays(&force_rays(contacts, &rest))?);
+            cones.extend(Cone::from_half_spaces_plus(&system, &force_rays(contacts, &rest))?);
         }
     }
     Ok(cones)
@@ -167,7 +169,7 @@ fn moving_cones<T: Int>(contacts: &[ContactRows<T>], feasible: &[Vec<Interaction
 /// `None` if the normals' wrenches are linearly dependent, for then the cones cover everything: for any wrench, the
 /// frictionless least-constraint problem has a solution whose forces act on independent contacts only, so some contact
 /// carries none, does not approach, and the rest of them are maintained.
-fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Option<Vec<(Mode, Cone<T>)>>, Overflow> {
+fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Option<Vec<ModeCone<T>>>, Overflow> {
     let n = contacts.len();
     let normals = Matrix::from_rows(3, contacts.iter().map(|contact| &contact.normal_acceleration));
     if n > 3 || 3 - Pair::from_normals(&normals, &Matrix::new(3))?.dim() < n {
