@@ -5,11 +5,13 @@ use super::decimal::{self, Span, brief, near};
 use crate::answer::{Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Stability};
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
+use num_traits::{One as _, Signed as _, Zero as _};
 
 /// The answer of `plan insert` in one line.
 pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {
     let seats = match subject.fixture.fixels.len() {
         1 => "seats the part on its fixel".to_owned(),
+        2 => "seats the part on both fixels".to_owned(),
         n => format!("seats the part on all {n} fixels"),
     };
     match answer.plan.as_ref().map(|plan| &plan.action) {
@@ -17,7 +19,7 @@ pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {
             format!("push on edge {edge} {}: {seats}", interval_of(subject, *edge, interval))
         }
         Some(Action::PushArc { arc, .. }) => {
-            format!("push towards the center of the disc {}: {seats}", arc_from(arc.as_ref(), "from"))
+            format!("push the disc towards its center {}: {seats}", arc_from(arc.as_ref(), "from"))
         }
         Some(Action::Tilt { arc, .. }) => {
             format!("tilt the tray so that gravity pulls {}: {seats}", arc_from(arc.as_ref(), "towards"))
@@ -81,6 +83,13 @@ pub(super) fn remedy(reason: &EmptyReason) -> &'static str {
 /// Where on an edge: "between 1.2 mm and 4.4 mm from vertex 0".
 pub(super) fn interval_of(subject: &Subject, edge: usize, interval: &Interval) -> String {
     let unit = subject.part.unit.symbol();
+    if interval.s[0].is_zero() && interval.s[1].is_one() && interval.closed == [true, true] {
+        let next = match &subject.part.shape {
+            Shape::Polygon(polygon) => (edge + 1) % polygon.vertices().len(),
+            Shape::Circle { .. } => edge,
+        };
+        return format!("anywhere from vertex {edge} to vertex {next}");
+    }
     match decimal::along_edge(&edge_length2(subject, edge), interval) {
         Span::Single(at) => format!("at one place only, about {at} {unit} from vertex {edge}"),
         Span::Between(low, high) => format!("between {low} {unit} and {high} {unit} from vertex {edge}"),
@@ -102,16 +111,16 @@ pub(super) fn places(subject: &Subject, fingers: &FingerSet) -> Vec<String> {
             .iter()
             .flat_map(|e| e.intervals.iter().map(|i| format!("edge {} {}", e.edge, interval_of(subject, e.edge, i))))
             .collect(),
-        FingerSet::Arcs(set) => directions(set).into_iter().map(|arc| format!("the rim {arc}")).collect(),
+        FingerSet::Arcs(set) => directions(set, "the rim at"),
     }
 }
 
-/// Every arc of a set of directions.
-pub(super) fn directions(set: &ArcSet) -> Vec<String> {
+/// Every arc of a set of directions, each after `word`.
+pub(super) fn directions(set: &ArcSet, word: &str) -> Vec<String> {
     if set.all {
-        return vec!["in any direction".to_owned()];
+        return vec![arc_from(None, word)];
     }
-    set.arcs.iter().map(|arc| arc_from(Some(arc), "at")).collect()
+    set.arcs.iter().map(|arc| arc_from(Some(arc), word)).collect()
 }
 
 /// `brief` values as `(1, 2.5, -1/3)`.
@@ -123,6 +132,13 @@ pub(super) fn tuple(values: &[Q]) -> String {
 pub(super) fn point(point: &[Q; 2]) -> String {
     let [x, y] = point.each_ref().map(|v| near(to_f64(v), 4));
     format!("({x}, {y})")
+}
+
+/// Degrees of a vector, counter-clockwise from the x axis.
+pub(super) fn heading(vector: &[Q; 2]) -> String {
+    let scale = vector.iter().map(Q::abs).max().filter(|v| !v.is_zero()).unwrap_or_else(Q::one);
+    let [x, y] = vector.each_ref().map(|v| to_f64(&(v / &scale)));
+    near(y.atan2(x).to_degrees(), 4)
 }
 
 /// A friction coefficient: `0.2`, or `0.1 to 0.3`.

@@ -8,16 +8,20 @@ use super::view::{self, direction};
 use crate::exact::{Q, to_f64};
 use crate::model::Fixel;
 
-const HEIGHT: f64 = 17.0;
-const HALF_BASE: f64 = 9.5;
+const HEIGHT: f64 = 20.0;
+const HALF_BASE: f64 = 6.5;
 const CONE: f64 = 50.0;
 
-/// Draws friction cones, then the outline over them, then the fixels.
-pub(super) fn draw(scene: &mut Scene, subject: &Subject) {
+/// Draws friction cones, then the outline over them.
+pub(super) fn draw_cones(scene: &mut Scene, subject: &Subject) {
     for fixel in &subject.fixture.fixels {
         cone(scene, fixel);
     }
     scene.outline();
+}
+
+/// Draws the fixels, above finger places that they interrupt.
+pub(super) fn draw_fixels(scene: &mut Scene, subject: &Subject) {
     for (number, fixel) in subject.fixture.fixels.iter().enumerate() {
         body(scene, number, fixel);
     }

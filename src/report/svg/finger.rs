@@ -94,12 +94,21 @@ fn name_edges(scene: &mut Scene, bands: &[Band]) {
     for (edge, from) in corners.iter().enumerate().filter(|(edge, _)| used(*edge)) {
         let to = corners[(edge + 1) % corners.len()];
         let previous = corners[(edge + corners.len() - 1) % corners.len()];
-        let middle = from.along(to.minus(*from), 0.5);
+        let middle = middle_of_first(scene, bands, edge).unwrap_or_else(|| from.along(to.minus(*from), 0.5));
         scene.labels.want(middle, outward([*from, to]), clear, MUTED, false, format!("edge {edge}"));
         let (before, after) = (outward([previous, *from]), outward([*from, to]));
         let toward = At::new(before.x + after.x, before.y + after.y).normalized();
-        scene.labels.want(*from, toward, clear, MUTED, false, format!("v{edge}"));
+        scene.labels.want(*from, toward, 13.0, MUTED, false, format!("v{edge}"));
     }
+}
+
+fn middle_of_first(scene: &Scene, bands: &[Band], edge: usize) -> Option<At> {
+    bands.iter().find_map(|band| {
+        let FingerSet::Edges(edges) = band.fingers else { return None };
+        let interval = edges.iter().find(|fingers| fingers.edge == edge)?.intervals.first()?;
+        let [from, to] = interval.points.each_ref().map(|point| scene.view.at(point));
+        Some(from.along(to.minus(from), 0.5))
+    })
 }
 
 /// The outline runs counter-clockwise as seen, so outward is to the right.

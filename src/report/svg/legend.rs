@@ -37,7 +37,7 @@ impl Legend {
         canvas.line(&[At::new(LEFT, top + 6.0), At::new(WIDTH - LEFT, top + 6.0)], rule);
         let mut at = At::new(LEFT, top + 24.0);
         for (swatch, meaning) in &self.entries {
-            let width = 32.0 + 5.6 * meaning.chars().count() as f64 + 18.0;
+            let width = 32.0 + 6.3 * meaning.chars().count() as f64 + 14.0;
             if at.x + width > WIDTH - LEFT + 18.0 && at.x > LEFT {
                 at = At::new(LEFT, at.y + ROW);
             }
@@ -53,7 +53,7 @@ fn sample(canvas: &mut Canvas, swatch: Swatch, at: At) {
     let (left, right) = (At::new(at.x - 11.0, at.y), At::new(at.x + 11.0, at.y));
     match swatch {
         Swatch::Fixel => {
-            let corners = [At::new(at.x, at.y - 6.0), At::new(at.x - 6.5, at.y + 5.5), At::new(at.x + 6.5, at.y + 5.5)];
+            let corners = [At::new(at.x, at.y - 7.5), At::new(at.x - 4.5, at.y + 6.0), At::new(at.x + 4.5, at.y + 6.0)];
             canvas.polygon(&corners, Pen::fill(INK, 1.0));
         }
         Swatch::Friction => canvas.arc(left, 21.0, -0.32, 0.64, true, Pen::fill(ORANGE, 0.6)),

@@ -21,9 +21,10 @@ use scene::Scene;
 pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
     let mut scene = Scene::new(subject);
     tilt::draw(&mut scene, &answer.tilt, "tilts that seat the part");
-    contact::draw(&mut scene, subject);
+    contact::draw_cones(&mut scene, subject);
     let band = Band { fingers: &answer.fingers, colour: GREEN, meaning: "a finger here seats the part", lane: 0 };
     finger::draw(&mut scene, &[band]);
+    contact::draw_fixels(&mut scene, subject);
     if let Some(plan) = &answer.plan {
         plan::draw(&mut scene, plan);
     }
@@ -35,7 +36,7 @@ pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
 pub fn stability(subject: &Subject, answer: &Stability) -> String {
     let mut scene = Scene::new(subject);
     tilt::draw(&mut scene, &answer.strong_tilt, "tilts certain to hold the part");
-    contact::draw(&mut scene, subject);
+    contact::draw_cones(&mut scene, subject);
     let bands = [
         Band {
             fingers: &answer.strong_fingers,
@@ -47,6 +48,7 @@ pub fn stability(subject: &Subject, answer: &Stability) -> String {
         Band { fingers: &answer.closure_fingers, colour: BLUE, meaning: "a finger here closes the grasp", lane: 2 },
     ];
     finger::draw(&mut scene, &bands);
+    contact::draw_fixels(&mut scene, subject);
     scene.finish(subject.name, &phrase::stability(answer))
 }
 

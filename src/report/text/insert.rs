@@ -31,9 +31,8 @@ fn recommend(report: &mut Report, subject: &Subject, plan: &Recommendation) {
     match &plan.action {
         Action::PushEdge { edge, interval, s, point, direction } => {
             let along = decimal::place_on_edge(&phrase::edge_length2(subject, *edge), interval, s);
-            let [x, y] = direction.each_ref().map(to_f64);
             report.line("aim", &format!("{along} {unit} from vertex {edge}, at {} {unit}", phrase::point(point)));
-            report.line("direction", &format!("{} deg, square to the edge", near(y.atan2(x).to_degrees(), 4)));
+            report.line("direction", &format!("{} deg, square to the edge", phrase::heading(direction)));
         }
         Action::PushArc { direction, .. } => {
             report.line("aim", &format!("from {} deg towards the center", degrees(direction)));
@@ -79,7 +78,7 @@ fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {
     };
     report.list(label, &places, none);
     if !matches!(action, Some(Action::Tilt { .. })) || answer.tilt.arcs.len() > 1 {
-        let tilts = phrase::directions(&answer.tilt);
+        let tilts = phrase::directions(&answer.tilt, "gravity towards");
         report.list("or tilt", &tilts, "gravity alone seats it in no direction");
     }
 }
@@ -88,13 +87,12 @@ fn shares(goal: &Region, hold: &Region) -> String {
     if !goal.has_interior() {
         return "the wrenches that seat it have no interior: any disturbance may spoil them".to_owned();
     }
-    let all = percent(&goal.volume_in_box);
-    let held = match percent(&hold.volume_in_box) {
-        _ if hold.is_empty() => "none of them is certain to hold it there".to_owned(),
-        share if share == all => "all of those also hold it there".to_owned(),
-        share => format!("{share} % also hold it there"),
+    let held = if hold.is_empty() {
+        "none of them is certain to hold it there".to_owned()
+    } else {
+        format!("{} % seat it and then hold it still", percent(&hold.volume_in_box))
     };
-    format!("{all} % of all wrenches seat it; {held}")
+    format!("{} % of all wrenches seat it; {held}", percent(&goal.volume_in_box))
 }
 
 fn degrees(direction: &[Z; 2]) -> String {

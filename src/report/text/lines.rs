@@ -19,7 +19,7 @@ impl Report {
     }
 
     pub(super) fn line(&mut self, label: &str, value: &str) {
-        self.text.push_str(&format!("  {label:<10} {value}\n"));
+        self.text.push_str(&format!("  {label:<11} {value}\n"));
     }
 
     /// The first few of `items`, a line each, or `none`.
@@ -41,9 +41,9 @@ impl Report {
         let describe = |(number, fixel): (usize, &crate::model::Fixel)| {
             let friction = &fixel.friction;
             let mut text = format!(
-                "{number} at {} {unit}, normal {}, friction {}",
+                "{number} at {} {unit}, normal {} deg, friction {}",
                 phrase::point(&fixel.point),
-                phrase::point(&fixel.normal),
+                phrase::heading(&fixel.normal),
                 phrase::range(&friction.static_)
             );
             if friction.kinetic != friction.static_ {
