@@ -14,7 +14,8 @@ fn readme_shows_what_the_plan_prints() {
         .and_then(|(_, rest)| rest.split_once("\n$ "))
         .expect("README starts with the two commands")
         .0;
-    let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan")).args(["insert", "cases/pawl.json"]).output().unwrap();
+    let run =
+        std::process::Command::new(env!("CARGO_BIN_EXE_plan")).args(["insert", "cases/pawl.json"]).output().unwrap();
     assert!(run.status.success());
     assert_eq!(String::from_utf8(run.stdout).unwrap().trim_end(), shown);
 }

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// The part is near its seat, touching none, some or all of the fixels, and moves slowly. The plan holds for every
 /// friction coefficient in the ranges of the case.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: plan insert cases/pawl.json --wrench=0,1,-8")]
+#[command(after_help = "Example: plan insert cases/pawl.json --wrench=-1,0,0")]
 pub struct Args {
     #[command(flatten)]
     common: Common,

@@ -24,7 +24,7 @@ pub fn answer(
 ) -> Result<(), Failure> {
     match format {
         Format::Text => out.write_all(text().as_bytes())?,
-        Format::Json => writeln!(out, "{:#}", json())?,
+        Format::Json => out.write_all(partplan::report::json::document(&json()).as_bytes())?,
     }
     out.flush()?;
     Ok(())

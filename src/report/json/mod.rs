@@ -1,7 +1,10 @@
 //! JSON documents as FORMATS.md names them.
 
+mod layout;
 mod number;
 mod sets;
+
+pub use layout::document;
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};

@@ -52,7 +52,8 @@ fn wrench(scene: &mut Scene, plan: &Recommendation) {
         let points: Vec<At> =
             (0..=30).map(|k| center.along(At::unit(angle(f64::from(k) / 20.0 - 0.75)), radius)).collect();
         scene.canvas.line(&points, super::canvas::Pen::stroke(RED, WIDTH));
-        scene.canvas.arrow(points[28], center.along(At::unit(angle(0.9)), radius), RED, WIDTH);
+        let along = points[30].minus(points[29]).normalized();
+        scene.canvas.arrow(points[30].along(along, -3.0), points[30].along(along, 10.0), RED, WIDTH);
     }
     if !(fx.is_zero() && fy.is_zero()) {
         let toward = direction(&[fx.clone(), fy.clone()]);
