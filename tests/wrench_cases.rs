@@ -123,6 +123,19 @@ impl Check<'_> {
             check.of("modes").same(&set(&ours[i]["modes"]), &set(&entry["modes"]));
         }
     }
+
+    /// Contact points exactly; normals up to length, which means nothing.
+    fn fixels(&self, ours: &Value, expected: &Value) {
+        for (i, fixel) in expected.as_array().unwrap().iter().enumerate() {
+            let check = self.of(&format!("fixels.{i}"));
+            check.keys(&ours[i], fixel, &["at"]);
+            let [ours, theirs] = [&ours[i], fixel].map(|f| [number(&f["normal"][0]), number(&f["normal"][1])]);
+            let zero = number(&json!(0));
+            let is_parallel = &ours[0] * &theirs[1] == &ours[1] * &theirs[0];
+            let is_same_side = &ours[0] * &theirs[0] + &ours[1] * &theirs[1] > zero;
+            assert!(is_parallel && is_same_side, "case {}, fixel {i}: normal {ours:?} {theirs:?}", self.case);
+        }
+    }
 }
 
 fn sorted(values: impl Iterator<Item = Value>) -> Value {
@@ -164,21 +177,6 @@ fn agrees(name: &str) {
     }
     check.of("tilt.goal").arcs(&insert["tilt"]["goal"], &expected["tilt"]["goal"]);
     check.fixels(&insert["fixels"], &expected["fixels"]);
-}
-
-impl Check<'_> {
-    /// Contact points exactly; normals up to length, which means nothing.
-    fn fixels(&self, ours: &Value, expected: &Value) {
-        for (i, fixel) in expected.as_array().unwrap().iter().enumerate() {
-            let check = self.of(&format!("fixels.{i}"));
-            check.keys(&ours[i], fixel, &["at"]);
-            let [ours, theirs] = [&ours[i], fixel].map(|f| [number(&f["normal"][0]), number(&f["normal"][1])]);
-            let zero = number(&json!(0));
-            let is_parallel = &ours[0] * &theirs[1] == &ours[1] * &theirs[0];
-            let is_same_side = &ours[0] * &theirs[0] + &ours[1] * &theirs[1] > zero;
-            assert!(is_parallel && is_same_side, "case {}, fixel {i}: normal {ours:?} {theirs:?}", self.case);
-        }
-    }
 }
 
 #[test]

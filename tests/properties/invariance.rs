@@ -38,7 +38,10 @@ fn mapped(setup: &Setup, image: impl Fn(&[Q; 2]) -> [Q; 2], turned: impl Fn(&[Q;
     (part, fixture)
 }
 
-fn shares(fingers: &FingerSet) -> Vec<(usize, Vec<([Q; 2], [bool; 2])>)> {
+/// Shares of the edge and closed ends of the intervals of one edge.
+type EdgeShares = (usize, Vec<([Q; 2], [bool; 2])>);
+
+fn shares(fingers: &FingerSet) -> Vec<EdgeShares> {
     let FingerSet::Edges(edges) = fingers else { panic!("a polygon's finger places are on edges") };
     edges.iter().map(|e| (e.edge, e.intervals.iter().map(|i| (i.s.clone(), i.closed)).collect())).collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::support::member::{in_arcs, on_edge};
 use crate::support::modes::Contacts;
-use crate::support::random::{any_friction, degenerate, discs, polygons, runs};
+use crate::support::random::{any_friction, degenerate, discs, polygons, runs, seatable};
 use crate::support::{Wrench, cross};
 use num_traits::Zero;
 use partplan::answer::{Arc, ArcSet, FingerSet};
@@ -145,7 +145,7 @@ proptest! {
 
     #[test]
     fn fingers_push_exactly_where_the_programs_say(
-        (part, fixture) in polygons(1..=3, any_friction()),
+        (part, fixture) in prop_oneof![polygons(1..=3, any_friction()), seatable()],
         shares in shares(),
         directions in directions(),
     ) {

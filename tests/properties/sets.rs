@@ -3,7 +3,9 @@
 use crate::support::Wrench;
 use crate::support::member::{in_cone, in_region, landmarks};
 use crate::support::modes::{Contacts, unseating_modes};
-use crate::support::random::{Setup, any_friction, any_setup, degenerate, discs, polygons, runs, widened, wrenches};
+use crate::support::random::{
+    Setup, any_friction, any_setup, degenerate, discs, polygons, runs, seatable, widened, wrenches,
+};
 use partplan::answer::{Cone, EmptyReason, Insertion, Region, Stability};
 use partplan::exact::ratio;
 use partplan::planner::{Question, insertion, stability};
@@ -65,6 +67,11 @@ proptest! {
     #[test]
     fn sets_of_degenerate_fixtures_are_right((_, setup) in degenerate(), random in wrenches(3)) {
         check_sets(&setup, &random, 6)?;
+    }
+
+    #[test]
+    fn sets_of_fixtures_that_seat_are_right(setup in seatable(), random in wrenches(3)) {
+        check_sets(&setup, &random, 8)?;
     }
 
     #[test]
@@ -139,7 +146,7 @@ proptest! {
     /// A wider range admits more of every mode, and less certainty.
     #[test]
     fn wider_friction_ranges_never_enlarge_what_is_certain(
-        setup in any_setup(1..=3),
+        setup in prop_oneof![any_setup(1..=3), seatable()],
         by in (1..5_i64).prop_map(|p| ratio(p, 7)),
         random in wrenches(6),
     ) {
@@ -151,10 +158,10 @@ proptest! {
         probes.extend(on_faces(&answers(&wide, &[]), 20));
         probes.extend(on_faces(&answers(&setup, &[]), 20));
         let ((narrow_goal, narrow), (wide_goal, wide)) = (answers(&setup, &probes), answers(&wide, &probes));
-        for i in 0..probes.len() {
-            prop_assert!(!wide_goal.wrenches[i].goal || narrow_goal.wrenches[i].goal, "goal {:?}", probes[i]);
-            prop_assert!(!wide.wrenches[i].strong || narrow.wrenches[i].strong, "strong {:?}", probes[i]);
-            prop_assert!(!wide.wrenches[i].weak || narrow.wrenches[i].weak, "weak {:?}", probes[i]);
+        for (i, g) in probes.iter().enumerate() {
+            prop_assert!(!wide_goal.wrenches[i].goal || narrow_goal.wrenches[i].goal, "goal {:?}", g);
+            prop_assert!(!wide.wrenches[i].strong || narrow.wrenches[i].strong, "strong {:?}", g);
+            prop_assert!(!wide.wrenches[i].weak || narrow.wrenches[i].weak, "weak {:?}", g);
         }
         prop_assert!(wide_goal.goal.volume_in_box <= narrow_goal.goal.volume_in_box);
         prop_assert!(wide.strong.volume_in_box <= narrow.strong.volume_in_box);

@@ -120,7 +120,9 @@ impl Contacts {
 
     /// Outside of all `moving` modes, and of pivoting about the only contact point.
     pub fn strong(&self, moving: &[String], g: &Wrench) -> bool {
-        !moving.iter().any(|mode| self.consistent(mode, g)) && !(self.all_at_one_point() && self.pivots(g))
+        let moves = moving.iter().any(|mode| self.consistent(mode, g));
+        let pivots = self.all_at_one_point() && self.pivots(g);
+        !(moves || pivots)
     }
 
     /// Whether the part may turn about a point where it rolls on every fixel.

@@ -199,6 +199,24 @@ pub fn any_setup(fixels: std::ops::RangeInclusive<usize>) -> impl Strategy<Value
     prop_oneof![4 => polygons(fixels.clone(), any_friction()), 1 => discs(fixels, any_friction())]
 }
 
+/// Three fixels of little friction that seat a rectangle or a pawl for many wrenches.
+pub fn seatable() -> impl Strategy<Value = Setup> {
+    let rectangle = polygon(&[(0, 0), (6, 0), (6, 4), (0, 4)]);
+    let pawl = polygon(&[(0, 0), (9, -2), (12, 0), (11, 3), (8, 2), (6, 4), (3, 5), (0, 4), (-1, 2)]);
+    let kinds = select(vec![(rectangle, [0, 0, 3], [int(3), int(2)]), (pawl, [1, 4, 7], [int(6), ratio(3, 2)])]);
+    let end = (0..=6_i64).prop_map(|p| ratio(p, 30));
+    let friction = (end.clone(), end).prop_map(|(a, b)| {
+        let range = Range { min: (&a).min(&b).clone(), max: a.max(b) };
+        Friction { static_: range.clone(), kinetic: range }
+    });
+    let shares = [1..=9_i64, 11..=19_i64, 5..=15_i64];
+    (kinds, shares, vec(friction, 3), inertias()).prop_map(|((polygon, edges, center), shares, frictions, inertia)| {
+        let spots = edges.into_iter().zip(shares).map(|(edge, s)| Spot::Share(edge, ratio(s, 20)));
+        let fixels = spots.zip(frictions).map(|(spot, friction)| place(&polygon, &center, &spot, friction)).collect();
+        (part(Shape::Polygon(polygon), center, inertia), Fixture { fixels })
+    })
+}
+
 /// A square on fixels that repeat, share an edge, meet in a point, oppose each other, or touch one corner; with names.
 pub fn degenerate() -> impl Strategy<Value = (&'static str, Setup)> {
     let share = |edge, sixths| Spot::Share(edge, ratio(sixths, 6));
