@@ -49,3 +49,35 @@ fn a_reader_that_leaves_early_is_no_failure() {
     assert_eq!(run.status.code(), Some(0));
     assert_eq!(String::from_utf8(run.stderr).unwrap(), "");
 }
+
+/// Coordinates over nine different denominators of 100 digits: planning takes far longer than the limit.
+#[test]
+fn a_time_limit_ends_the_run_undecided() {
+    use std::io::Write as _;
+    use std::process::{Command, Stdio};
+    let outline = [(0, 0), (9, -2), (12, 0), (11, 3), (8, 2), (6, 4), (3, 5), (0, 4), (-1, 2)];
+    let near = |value: i32, k: usize| {
+        let denominator = format!("{}{}7", k + 1, "3".repeat(98));
+        let numerator = format!("{}1", "0".repeat(99)).replace('0', &(k % 9).to_string());
+        if value < 0 { format!("\"-{}/1\"", -value) } else { format!("\"{value}{numerator}/1{denominator}\"") }
+    };
+    let vertex = |(k, (x, y)): (usize, &(i32, i32))| format!("[{}, {}]", near(*x, k), near(*y, k));
+    let vertices = outline.iter().enumerate().map(vertex).collect::<Vec<_>>().join(", ");
+    let fixel = |edge: usize| format!("{{ \"edge\": {edge}, \"s\": 0.3, \"friction\": 0.2 }}");
+    let fixels = [1, 4, 8].map(fixel).join(", ");
+    let case = format!(
+        "{{ \"part\": {{ \"shape\": {{ \"polygon\": [{vertices}] }} }}, \"insert\": {{ \"fixels\": [{fixels}] }} }}"
+    );
+    let mut run = Command::new(env!("CARGO_BIN_EXE_plan"))
+        .args(["insert", "-", "--format", "json", "--time-limit", "0.01"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    run.stdin.take().unwrap().write_all(case.as_bytes()).unwrap();
+    let run = run.wait_with_output().unwrap();
+    let shown = String::from_utf8(run.stdout).unwrap();
+    assert_eq!((run.status.code(), String::from_utf8(run.stderr).unwrap().as_str()), (Some(3), ""), "{shown}");
+    assert!(shown.contains("\"status\": \"undecided\""), "{shown}");
+}

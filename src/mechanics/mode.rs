@@ -84,7 +84,7 @@ pub enum ModeError {
     },
     /// As many letters as fixels are needed.
     #[error(
-        "the number of letters in the mode is {letters} but that of fixels is {fixels}; write one letter per fixel"
+        "a mode has one letter per fixel: {fixels} for this case, not {letters}"
     )]
     Length {
         /// Letters in the mode.
