@@ -6,7 +6,7 @@
 
 use super::{Entries, Z};
 use num_integer::Integer as _;
-use num_traits::{One as _, ToPrimitive as _, Zero as _};
+use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -281,15 +281,20 @@ impl Int for Z {
     }
 
     fn make_primitive(row: &mut [Self]) {
-        let mut divisor = Z::zero();
+        // from the smallest entry, so that all others are reduced by a remainder before the costly divisor
+        let nonzero = row.iter().filter(|value| !value.is_zero());
+        let Some(mut divisor) = nonzero.min_by_key(|value| value.magnitude()).map(|value| value.abs()) else { return };
         for value in row.iter() {
-            divisor = divisor.gcd(value);
             if divisor.is_one() {
                 return;
             }
+            let remainder = value % &divisor;
+            if !remainder.is_zero() {
+                divisor = divisor.gcd(&remainder);
+            }
         }
-        if !divisor.is_zero() {
-            row.iter_mut().for_each(|v| *v /= &divisor);
+        if !divisor.is_one() {
+            row.iter_mut().for_each(|value| *value /= &divisor);
         }
     }
 }

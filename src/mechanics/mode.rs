@@ -83,9 +83,7 @@ pub enum ModeError {
         letter: char,
     },
     /// As many letters as fixels are needed.
-    #[error(
-        "a mode has one letter per fixel: {fixels} for this case, not {letters}"
-    )]
+    #[error("a mode has one letter per fixel: {fixels} for this case, not {letters}")]
     Length {
         /// Letters in the mode.
         letters: usize,
