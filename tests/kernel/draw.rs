@@ -1,9 +1,8 @@
 //! Random systems with small numbers, degenerate ones often.
 
-use super::support::dot;
 use num_traits::{Signed, Zero};
 use partplan::cone::{Generators, HalfSpaces, Pair};
-use partplan::exact::{Int, Matrix, Q, Z};
+use partplan::exact::{Int, Matrix, Z};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -145,9 +144,4 @@ pub fn face_points<T: Int>(pair: &Pair<T>) -> Vec<Vec<Z>> {
 
 fn add<T: Int>(point: &mut [Z], row: &[T], weight: i64) {
     point.iter_mut().zip(row).for_each(|(v, r)| *v += r.to_z() * weight);
-}
-
-/// Whether a rational point satisfies the canonical rows of a pair, by definition.
-pub fn holds_in(equalities: &[Vec<Q>], facets: &[Vec<Q>], x: &[Q]) -> bool {
-    equalities.iter().all(|row| dot(row, x).is_zero()) && facets.iter().all(|row| !dot(row, x).is_positive())
 }

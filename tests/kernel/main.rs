@@ -3,6 +3,7 @@
 mod closed;
 mod difference;
 mod draw;
+mod integers;
 mod naive;
 mod pitfalls;
 mod polyhedra;

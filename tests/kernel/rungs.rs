@@ -194,10 +194,10 @@ impl Ladder for Operations {
 
 #[test]
 fn every_rung_gives_the_same_sums_images_differences_and_volumes() {
-    for (twist, expected) in (3..60).map(|i| (i, Rung::Word)) {
+    for (twist, expected) in [(4, Rung::Word), (31, Rung::DoubleWord), (90, Rung::Big)] {
         let job = Operations { twist };
         let (found, rung) = climb(&job, Rung::Word);
-        eprintln!("{twist} {rung:?}");if false {assert_eq!(rung, expected);}if false{assert_eq!(rung, expected, "with entries of {twist} bits");}
+        assert_eq!(rung, expected, "with entries of {twist} bits");
         for lowest in [Rung::DoubleWord, Rung::Big] {
             assert_eq!(climb(&job, lowest).0, found);
         }

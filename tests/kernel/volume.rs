@@ -1,8 +1,8 @@
 //! Volumes inside boxes against closed forms and against polygons clipped on the faces of the box.
 
-use super::draw::{System, matrix, rows, runs, system, vector};
+use super::draw::{matrix, rows, runs, system, vector};
 use super::naive::rationals;
-use super::support::{cross, dot, int};
+use super::support::{cross, int};
 use num_traits::{One, Signed, Zero};
 use partplan::cone::{Cone, Pair, volume_in_box};
 use partplan::exact::{Matrix, Q, Z, ratio};
@@ -206,11 +206,7 @@ fn a_flat_cone_has_no_volume() {
     for dim in 1..=5 {
         let opposite = [unit(dim, dim - 1), unit(dim, dim - 1).iter().map(|v| -v).collect()];
         assert_eq!(volume_in_box(&closed(dim, &opposite), &unequal(dim)).unwrap(), Q::zero());
-        let apex: Vec<&[i64]> = Vec::new();
-        let normals: Vec<Vec<i64>> = (0..dim).map(|axis| unit(dim, axis)).collect();
-        let mut system = System::new(dim, &apex, &[], &[]);
-        system.equalities = normals;
-        let origin = Cone::<Z>::from_half_spaces(&system.half_spaces()).unwrap().unwrap();
+        let origin: Cone<Z> = Pair::from_normals(&Matrix::identity(dim), &Matrix::new(dim)).unwrap().into();
         assert_eq!(volume_in_box(&origin, &unequal(dim)).unwrap(), Q::zero());
     }
 }
@@ -222,5 +218,4 @@ fn a_wedge_in_an_unequal_box_is_a_triangle_and_a_rectangle() {
     let [x, y] = [int(3), ratio(1, 7)];
     let expected = (&y * &y + (&x - &y) * &y * int(2)) / (int(4) * &x * &y);
     assert_eq!(volume_in_box(&wedge, &[x, y]).unwrap(), expected);
-    assert!(dot(&[int(1)], &[expected]) < ratio(1, 2));
 }
