@@ -61,7 +61,7 @@ proptest! {
         let dim = system.dim;
         let pair = system.pair::<i64>();
         let [equalities, facets, lines, rays] =
-            [pair.equalities(), pair.facets(), pair.lines(), pair.rays()].map(|matrix| rows_of(matrix));
+            [pair.equalities(), pair.facets(), pair.lines(), pair.rays()].map(rows_of);
         assert_extreme(dim, (&lines, &rays), (&equalities, &facets));
         assert_extreme(dim, (&equalities, &facets), (&lines, &rays));
         prop_assert_eq!(rank(dim, &equalities), dim - pair.dim());
@@ -159,7 +159,7 @@ proptest! {
     #[test]
     fn faces_are_the_intersections_of_facets(system in closed_system(1..=4, 6)) {
         let pair = system.pair::<i64>();
-        let [facets, rays] = [pair.facets(), pair.rays()].map(|matrix| rows_of(matrix));
+        let [facets, rays] = [pair.facets(), pair.rays()].map(rows_of);
         prop_assume!(facets.len() <= 8);
         let mut expected: Vec<Vec<usize>> = (0..1_usize << facets.len())
             .map(|chosen| {

@@ -35,8 +35,7 @@ pub fn rows_of<T: Int>(matrix: &Matrix<T>) -> Vec<Row> {
 
 /// What the kernel says.
 pub fn forms<T: Int>(pair: &Pair<T>) -> Forms {
-    let [equalities, facets, lines, rays] =
-        [pair.equalities(), pair.facets(), pair.lines(), pair.rays()].map(|matrix| integers(matrix));
+    let [equalities, facets, lines, rays] = [pair.equalities(), pair.facets(), pair.lines(), pair.rays()].map(integers);
     Forms { equalities, facets, lines, rays }
 }
 

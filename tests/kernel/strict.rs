@@ -259,19 +259,18 @@ fn a_strict_row_cuts_the_lineality_space() {
 
 #[test]
 fn a_strict_row_that_vanishes_on_the_closure_leaves_nothing() {
-    let empty: [(usize, &[&[i64]], &[&[i64]], &[&[i64]]); 7] = [
-        (1, &[], &[&[-1]], &[&[1]]),
-        (1, &[], &[], &[&[0]]),
-        (2, &[&[1, 0]], &[], &[&[1, 0]]),
-        (2, &[&[1, 0]], &[], &[&[0, 1], &[1, -1]]),
-        (2, &[], &[&[1, 1], &[-1, -1]], &[&[2, 2]]),
-        (2, &[], &[], &[&[1, 0], &[0, 1], &[-1, -1]]),
-        (3, &[&[1, 0, 0], &[0, 1, 0], &[0, 0, 1]], &[], &[&[1, 1, 1]]),
+    let empty = [
+        System::new(1, &[], &[&[-1]], &[&[1]]),
+        System::new(1, &[], &[], &[&[0]]),
+        System::new(2, &[&[1, 0]], &[], &[&[1, 0]]),
+        System::new(2, &[&[1, 0]], &[], &[&[0, 1], &[1, -1]]),
+        System::new(2, &[], &[&[1, 1], &[-1, -1]], &[&[2, 2]]),
+        System::new(2, &[], &[], &[&[1, 0], &[0, 1], &[-1, -1]]),
+        System::new(3, &[&[1, 0, 0], &[0, 1, 0], &[0, 0, 1]], &[], &[&[1, 1, 1]]),
     ];
-    for (dim, equalities, closed, strict) in empty {
-        let system = System::new(dim, equalities, closed, strict);
+    for system in empty {
+        let rays = Matrix::identity(system.dim);
         assert_eq!(cone(&system), None, "{system:?}");
-        let rays = Matrix::identity(dim);
         assert_eq!(Cone::from_half_spaces_plus(&system.half_spaces::<i128>(), &rays).unwrap(), None, "{system:?}");
     }
 }
