@@ -130,6 +130,24 @@ fn a_value_fits_iff_it_and_its_negative_are_in_range() {
     }
 }
 
+/// Its negative would not fit.
+#[test]
+fn the_least_value_of_a_type_is_an_overflow_wherever_it_would_come_out() {
+    let least = i128::from(i64::MIN);
+    let mut out = Entries::new();
+    assert_eq!(i64::primitive(&[least, 1], &mut out), Err(Overflow));
+    assert_eq!(combined(&1, &[-i64::MAX, 1], &1, &[-1, 0]), Err::<Vec<i64>, _>(Overflow));
+    assert_eq!(combined(&least, &[1, 0], &1, &[0, 1]), Err::<Vec<i64>, _>(Overflow));
+    assert_eq!(combined(&least, &[1, 0], &2, &[0, 1]), Ok(vec![-(1_i64 << 62), 1]));
+    assert_eq!(i64::dot(&[1 << 62; 8], &[-(1 << 62); 8]), Err(Overflow));
+    assert_eq!(i64::dot(&[1 << 62; 7], &[-(1 << 62); 7]), Ok(-7 << 124));
+    assert_eq!(i128::dot(&[1 << 126, 1 << 126], &[-1, -1]), Err(Overflow));
+    assert_eq!(i128::dot(&[1 << 126, i128::MAX >> 1], &[-1, -1]), Ok(-i128::MAX));
+    let half = -(1_i128 << 126);
+    assert_eq!(combined(&1, &[half, 1], &1, &[half, 0]), Err::<Vec<i128>, _>(Overflow));
+    assert_eq!(combined(&1, &[half, 2], &1, &[half, 0]), Ok(vec![half, 1]));
+}
+
 #[test]
 fn a_matrix_keeps_its_rows() {
     let mut matrix = Matrix::from_rows(2, [[1_i64, 2], [3, 4], [5, 6]]);
