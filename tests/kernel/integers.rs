@@ -1,0 +1,167 @@
+//! Machine integers against integers of any size, near the ends of their ranges.
+
+use super::draw::runs;
+use num_traits::Zero;
+use partplan::exact::{Entries, Int, Matrix, Overflow, Q, Z, primitive_row};
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+/// Any size up to the ends of `i128`, often near a power of two or with many factors two.
+fn wide() -> impl Strategy<Value = i128> {
+    let near = (0..=126_u32, -2..=2_i128, any::<bool>()).prop_map(|(bits, off, negative)| {
+        let value = (1_i128 << bits) - 1 + off.min(i128::from(bits < 126));
+        if negative { -value } else { value }
+    });
+    prop_oneof![2 => -9..=9_i128, 3 => near, 1 => Just(i128::MAX), 1 => Just(-i128::MAX)]
+}
+
+fn narrow() -> impl Strategy<Value = i64> {
+    let near = (0..=62_u32, -2..=2_i64, any::<bool>()).prop_map(|(bits, off, negative)| {
+        let value = (1_i64 << bits) - 1 + off.min(i64::from(bits < 62));
+        if negative { -value } else { value }
+    });
+    prop_oneof![2 => -9..=9_i64, 3 => near, 1 => Just(i64::MAX), 1 => Just(-i64::MAX)]
+}
+
+fn big<T: Int>(row: &[T]) -> Vec<Z> {
+    row.iter().map(T::to_z).collect()
+}
+
+/// The row if every entry fits.
+fn fitted<T: Int>(row: &[Z]) -> Result<Vec<T>, Overflow> {
+    row.iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)
+}
+
+fn combined<T: Int>(p: &T::Wide, a: &[T], q: &T::Wide, b: &[T]) -> Result<Vec<T>, Overflow> {
+    let mut out = Entries::new();
+    T::combine(p, a, q, b, &mut out).map(|()| out.to_vec())
+}
+
+/// By definition: the combination over the greatest common divisor of its entries.
+fn expected(p: i128, a: &[Z], q: i128, b: &[Z]) -> Vec<Z> {
+    let row: Vec<Q> = a.iter().zip(b).map(|(x, y)| Q::from_integer(x * p + y * q)).collect();
+    super::naive::coprime(&row)
+}
+
+fn two_rows<V: std::fmt::Debug>(entry: impl Strategy<Value = V> + Clone) -> impl Strategy<Value = (Vec<V>, Vec<V>)> {
+    (1..=4_usize).prop_flat_map(move |columns| (vec(entry.clone(), columns), vec(entry.clone(), columns)))
+}
+
+proptest! {
+    #![proptest_config(runs(2000))]
+
+    #[test]
+    fn a_combination_of_words_is_exact_or_an_overflow(
+        (a, b) in two_rows(narrow().boxed()), p in wide(), q in wide()
+    ) {
+        let expected = expected(p, &big(&a), q, &big(&b));
+        let found = combined(&p, &a, &q, &b);
+        let small = [p, q].iter().all(|v| i64::try_from(*v).is_ok());
+        if small || found.is_ok() {
+            prop_assert_eq!(found, fitted::<i64>(&expected));
+        }
+    }
+
+    #[test]
+    fn a_combination_of_double_words_overflows_only_if_its_primitive_row_does(
+        (a, b) in two_rows(wide().boxed()), p in wide(), q in wide()
+    ) {
+        let expected = expected(p, &big(&a), q, &big(&b));
+        prop_assert_eq!(combined(&p, &a, &q, &b), fitted::<i128>(&expected));
+        let (a, b) = (big(&a), big(&b));
+        prop_assert_eq!(combined(&Z::from(p), &a, &Z::from(q), &b), Ok(expected));
+    }
+
+    #[test]
+    fn a_product_of_rows_is_exact_or_an_overflow((a, b) in two_rows(narrow().boxed()), (c, d) in two_rows(wide().boxed())) {
+        let exact = |a: &[Z], b: &[Z]| a.iter().zip(b).map(|(x, y)| x * y).sum::<Z>();
+        let words = exact(&big(&a), &big(&b));
+        if let Ok(found) = i64::dot(&a, &b) {
+            prop_assert_eq!(Z::from(found), words.clone());
+        } else {
+            prop_assert!(a.len() > 2, "two products of words fit 127 bits");
+        }
+        if let Ok(found) = i128::dot(&c, &d) {
+            prop_assert_eq!(Z::from(found), exact(&big(&c), &big(&d)));
+        }
+        prop_assert_eq!(Z::dot(&big(&a), &big(&b)), Ok(words));
+    }
+
+    #[test]
+    fn primitive_rows_agree_on_all_types(row in vec(wide(), 0..5)) {
+        let rational: Vec<Q> = row.iter().map(|v| Q::from_integer((*v).into())).collect();
+        let expected = super::naive::coprime(&rational);
+        let mut narrow = Entries::new();
+        let mut double = Entries::new();
+        prop_assert_eq!(i64::primitive(&row, &mut narrow).map(|()| narrow.to_vec()), fitted::<i64>(&expected));
+        i128::primitive(&row, &mut double).unwrap();
+        prop_assert_eq!(big(&double), expected.clone());
+        prop_assert_eq!(primitive_row(&rational), expected.clone());
+        let mut in_place = row.clone();
+        i128::make_primitive(&mut in_place);
+        prop_assert_eq!(big(&in_place), expected);
+    }
+
+    #[test]
+    fn a_row_of_fractions_becomes_integers_on_the_same_ray(row in vec((-99..=99_i64, 1..=30_i64), 1..6)) {
+        let row: Vec<Q> = row.into_iter().map(|(p, q)| Q::new(p.into(), q.into())).collect();
+        let integers = primitive_row(&row);
+        prop_assert_eq!(&integers, &super::naive::coprime(&row));
+        if let Some(at) = row.iter().position(|v| !v.is_zero()) {
+            let factor = Q::from_integer(integers[at].clone()) / &row[at];
+            prop_assert!(factor > Q::zero());
+            prop_assert!(row.iter().zip(&integers).all(|(v, i)| v * &factor == Q::from_integer(i.clone())));
+        }
+    }
+}
+
+#[test]
+fn a_value_fits_iff_it_and_its_negative_are_in_range() {
+    for (bits, word, double) in [(62_u32, true, true), (63, false, true), (126, false, true), (127, false, false)] {
+        let power = Z::from(2).pow(bits);
+        for value in [power.clone(), -&power] {
+            assert_eq!(<i64 as Int>::from_z(&value).is_some(), word, "{value}");
+            assert_eq!(<i128 as Int>::from_z(&value).is_some(), double, "{value}");
+        }
+        for value in [&power - 1, 1 - &power] {
+            assert_eq!(<i64 as Int>::from_z(&value).is_some(), bits < 64, "{value}");
+            assert_eq!(<i128 as Int>::from_z(&value).map(|v| v.to_z()), Some(value));
+        }
+    }
+}
+
+/// Its negative would not fit.
+#[test]
+fn the_least_value_of_a_type_is_an_overflow_wherever_it_would_come_out() {
+    let least = i128::from(i64::MIN);
+    let mut out = Entries::new();
+    assert_eq!(i64::primitive(&[least, 1], &mut out), Err(Overflow));
+    assert_eq!(combined(&1, &[-i64::MAX, 1], &1, &[-1, 0]), Err::<Vec<i64>, _>(Overflow));
+    assert_eq!(combined(&least, &[1, 0], &1, &[0, 1]), Err::<Vec<i64>, _>(Overflow));
+    assert_eq!(combined(&least, &[1, 0], &2, &[0, 1]), Ok(vec![-(1_i64 << 62), 1]));
+    assert_eq!(i64::dot(&[1 << 62; 8], &[-(1 << 62); 8]), Err(Overflow));
+    assert_eq!(i64::dot(&[1 << 62; 7], &[-(1 << 62); 7]), Ok(-7 << 124));
+    assert_eq!(i128::dot(&[1 << 126, 1 << 126], &[-1, -1]), Err(Overflow));
+    assert_eq!(i128::dot(&[1 << 126, i128::MAX >> 1], &[-1, -1]), Ok(-i128::MAX));
+    let half = -(1_i128 << 126);
+    assert_eq!(combined(&1, &[half, 1], &1, &[half, 0]), Err::<Vec<i128>, _>(Overflow));
+    assert_eq!(combined(&1, &[half, 2], &1, &[half, 0]), Ok(vec![half, 1]));
+}
+
+#[test]
+fn a_matrix_keeps_its_rows() {
+    let mut matrix = Matrix::from_rows(2, [[1_i64, 2], [3, 4], [5, 6]]);
+    assert_eq!(matrix.swap_remove(0).as_slice(), [1, 2]);
+    assert_eq!(matrix, Matrix::from_rows(2, [[5, 6], [3, 4]]));
+    assert_eq!(matrix.swap_remove(1).as_slice(), [3, 4]);
+    matrix.push_negated(&[7, -8]);
+    matrix.append(&Matrix::identity(2));
+    assert_eq!(matrix.rows().collect::<Vec<_>>(), [[5, 6], [-7, 8], [1, 0], [0, 1]]);
+    assert_eq!((matrix.len(), matrix.row(1)), (4, &[-7, 8][..]));
+}
+
+#[test]
+#[should_panic(expected = "as many entries as the matrix has columns")]
+fn a_row_of_another_length_is_refused() {
+    Matrix::<i64>::new(3).push(&[1, 2]);
+}

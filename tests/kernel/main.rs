@@ -1,0 +1,14 @@
+//! The cone kernel and its integers, judged by their definitions and by slow exact oracles.
+
+mod closed;
+mod difference;
+mod draw;
+mod integers;
+mod naive;
+mod pitfalls;
+mod polyhedra;
+mod rungs;
+mod strict;
+#[path = "../support/mod.rs"]
+mod support;
+mod volume;
