@@ -194,7 +194,8 @@ fn crossing<T: Int>(
     height: &T::Wide,
     out: &mut Matrix<T>,
 ) -> Result<(), Overflow> {
-    T::combine(height, rays.row(inside), &T::wide_negated(depth), rays.row(outside), out.entries_mut())
+    let (inside, outside) = (rays.row(inside), rays.row(outside));
+    out.push_with(|entries| T::combine(height, inside, &T::wide_negated(depth), outside, entries))
 }
 
 /// The double description method in any dimension, from the simplicial cone of the rows `basis`.

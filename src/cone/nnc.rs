@@ -118,6 +118,9 @@ impl<T: Int> Cone<T> {
     ///
     /// # Errors
     /// [`Overflow`] if a dot product does not fit.
+    ///
+    /// # Panics
+    /// If `x` has another number of coordinates than the space.
     pub fn contains(&self, x: &[T]) -> Result<bool, Overflow> {
         if !self.closure.contains(x)? {
             return Ok(false);
@@ -220,7 +223,7 @@ fn mapped<T: Int>(rows: &Matrix<T>, map: &Matrix<T>) -> Result<Matrix<T>, Overfl
     let mut out = Matrix::new(map.len());
     for row in rows.rows() {
         let image = map.rows().map(|coordinate| T::dot(coordinate, row)).collect::<Result<Vec<_>, _>>()?;
-        T::primitive(&image, out.entries_mut())?;
+        out.push_with(|entries| T::primitive(&image, entries))?;
     }
     Ok(out)
 }

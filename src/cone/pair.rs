@@ -114,7 +114,11 @@ impl<T: Int> Pair<T> {
     ///
     /// # Errors
     /// [`Overflow`] if a dot product does not fit.
+    ///
+    /// # Panics
+    /// If `x` has another number of coordinates than the space.
     pub fn contains(&self, x: &[T]) -> Result<bool, Overflow> {
+        assert_eq!(x.len(), self.ambient(), "a point has as many coordinates as the space");
         for equality in self.equalities.rows() {
             if dot_sign(equality, x)?.is_ne() {
                 return Ok(false);

@@ -14,8 +14,15 @@ use num_traits::{One, Signed, Zero};
 ///
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
+///
+/// # Panics
+/// If `reach` is not one positive number for each coordinate.
 pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow> {
     let dim = cone.closure().ambient();
+    assert!(reach.len() == dim && reach.iter().all(Signed::is_positive), "a box has a positive half-width each way");
+    if dim == 0 {
+        return Ok(Q::one());
+    }
     if cone.closure().dim() < dim {
         return Ok(Q::zero());
     }

@@ -2,7 +2,8 @@
 //!
 //! A computation is written once for [`Int`] and run by [`climb`]: whatever does not fit its rung is an [`Overflow`], and
 //! the computation starts again one rung higher. Nothing wraps. On the machine rungs a row is stored in the rung's
-//! type and combined in wider intermediates, so a rung overflows only when a *primitive result* does not fit.
+//! type and combined in 128 bits or more, so a rung overflows when a primitive result does not fit it or a dot product
+//! does not fit 127 bits, hardly ever because of an intermediate.
 
 use super::{Entries, Z};
 use num_integer::Integer as _;
@@ -54,7 +55,7 @@ pub fn climb<J: Ladder>(job: &J, lowest: Rung) -> (J::Output, Rung) {
     (job.run::<Z>().expect("integers of any size do not overflow"), Rung::Big)
 }
 
-/// Integer entries of primitive rows.
+/// Integer entries of primitive rows; the least value of a machine type (`i64::MIN`) is not one of them.
 pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     /// Holds a dot product of two rows.
     type Wide: Clone + Debug;
@@ -76,7 +77,7 @@ pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     /// Negative of a wide value.
     fn wide_negated(value: &Self::Wide) -> Self::Wide;
 
-    /// `a · b`.
+    /// `a · b` of rows of equal length.
     ///
     /// # Errors
     /// [`Overflow`] if the sum does not fit [`Int::Wide`].
@@ -128,6 +129,7 @@ impl Int for i64 {
     }
 
     fn dot(a: &[Self], b: &[Self]) -> Result<i128, Overflow> {
+        debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
         let mut sum = 0_i128;
         for (x, y) in a.iter().zip(b) {
             sum = sum.checked_add(i128::from(*x) * i128::from(*y)).ok_or(Overflow)?;
@@ -195,6 +197,7 @@ impl Int for i128 {
     }
 
     fn dot(a: &[Self], b: &[Self]) -> Result<i128, Overflow> {
+        debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
         let mut sum = 0_i128;
         for (x, y) in a.iter().zip(b) {
             sum = x.checked_mul(*y).and_then(|product| sum.checked_add(product)).ok_or(Overflow)?;
@@ -263,6 +266,7 @@ impl Int for Z {
     }
 
     fn dot(a: &[Self], b: &[Self]) -> Result<Z, Overflow> {
+        debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
         Ok(a.iter().zip(b).map(|(x, y)| x * y).sum())
     }
 

@@ -12,6 +12,7 @@ pub type Entries<T> = SmallVec<[T; 12]>;
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix<T> {
     columns: usize,
+    n_rows: usize,
     entries: Entries<T>,
 }
 
@@ -19,13 +20,13 @@ impl<T: Int> Matrix<T> {
     /// No rows yet.
     #[must_use]
     pub fn new(columns: usize) -> Self {
-        Self { columns, entries: Entries::new() }
+        Self { columns, n_rows: 0, entries: Entries::new() }
     }
 
     /// No rows yet, with room for `rows` of them.
     #[must_use]
     pub fn with_capacity(columns: usize, rows: usize) -> Self {
-        Self { columns, entries: Entries::with_capacity(columns * rows) }
+        Self { columns, n_rows: 0, entries: Entries::with_capacity(columns * rows) }
     }
 
     /// The unit vectors.
@@ -33,7 +34,7 @@ impl<T: Int> Matrix<T> {
     pub fn identity(size: usize) -> Self {
         let mut entries = Entries::from_elem(T::default(), size * size);
         entries.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = T::unit());
-        Self { columns: size, entries }
+        Self { columns: size, n_rows: size, entries }
     }
 
     /// The rows that `rows` yields.
@@ -58,13 +59,13 @@ impl<T: Int> Matrix<T> {
     /// Number of rows.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.entries.len().checked_div(self.columns).unwrap_or(0)
+        self.n_rows
     }
 
     /// Whether there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+        self.n_rows == 0
     }
 
     /// Row `index`.
@@ -74,8 +75,8 @@ impl<T: Int> Matrix<T> {
     }
 
     /// All rows in order.
-    pub fn rows(&self) -> impl DoubleEndedIterator<Item = &[T]> + ExactSizeIterator + Clone {
-        self.entries.chunks_exact(self.columns.max(1))
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &[T]> + Clone {
+        (0..self.n_rows).map(|index| self.row(index))
     }
 
     /// Appends a row.
@@ -85,6 +86,7 @@ impl<T: Int> Matrix<T> {
     pub fn push(&mut self, row: &[T]) {
         assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
         self.entries.extend(row.iter().cloned());
+        self.n_rows += 1;
     }
 
     /// Appends the negative of a row.
@@ -94,6 +96,7 @@ impl<T: Int> Matrix<T> {
     pub fn push_negated(&mut self, row: &[T]) {
         assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
         self.entries.extend(row.iter().map(T::negated));
+        self.n_rows += 1;
     }
 
     /// Appends all rows of `other`.
@@ -103,6 +106,7 @@ impl<T: Int> Matrix<T> {
     pub fn append(&mut self, other: &Self) {
         assert_eq!(other.columns, self.columns, "matrices must have the same columns");
         self.entries.extend(other.entries.iter().cloned());
+        self.n_rows += other.n_rows;
     }
 
     /// Takes row `index` out; the last row takes its place.
@@ -114,6 +118,7 @@ impl<T: Int> Matrix<T> {
             head[index * self.columns..(index + 1) * self.columns].clone_from_slice(tail);
         }
         self.entries.truncate(last * self.columns);
+        self.n_rows = last;
         taken
     }
 
@@ -125,11 +130,25 @@ impl<T: Int> Matrix<T> {
     /// Drops all rows.
     pub fn clear(&mut self) {
         self.entries.clear();
+        self.n_rows = 0;
     }
 
-    /// The flat entries, for kernels that append whole rows in place.
-    pub fn entries_mut(&mut self) -> &mut Entries<T> {
-        &mut self.entries
+    /// Appends the row that `write` appends to the entries.
+    ///
+    /// # Errors
+    /// Those of `write`.
+    ///
+    /// # Panics
+    /// If `write` appends another number of entries than [`Matrix::columns`].
+    pub fn push_with<E>(&mut self, write: impl FnOnce(&mut Entries<T>) -> Result<(), E>) -> Result<(), E> {
+        write(&mut self.entries)?;
+        self.n_rows += 1;
+        assert_eq!(
+            self.entries.len(),
+            self.n_rows * self.columns,
+            "a row must have as many entries as there are columns"
+        );
+        Ok(())
     }
 }
 

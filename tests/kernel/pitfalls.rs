@@ -2,8 +2,8 @@
 
 use super::draw::{System, matrix, span};
 use super::naive::{forms, forms_of_normals, integers, rationals};
-use partplan::cone::{Cone, Generators, HalfSpaces, Pair, complement, subtract};
-use partplan::exact::{Matrix, Z};
+use partplan::cone::{Cone, Generators, HalfSpaces, Pair, complement, subtract, volume_in_box};
+use partplan::exact::{Matrix, Z, ratio};
 
 fn from_normals(dim: usize, normals: &[Vec<i64>]) -> Pair<i128> {
     Pair::from_normals(&Matrix::new(dim), &matrix(dim, normals)).unwrap()
@@ -188,4 +188,30 @@ fn the_order_of_the_rows_does_not_show() {
         rays.swap(0, 5);
         assert_eq!(Pair::from_generators(&span(4, &[], &rays)).unwrap(), expected);
     }
+}
+
+/// In a space of one point a row can still say `0 < 0`.
+#[test]
+fn the_space_of_one_point_tells_its_point_from_nothing() {
+    let point = Cone::<i64>::everything(0).unwrap();
+    assert_eq!(volume_in_box(&point, &[]).unwrap(), ratio(1, 1));
+    let mut impossible = HalfSpaces::<i64>::none(0);
+    impossible.strict.push(&[]);
+    assert_eq!(Cone::from_half_spaces(&impossible).unwrap(), None);
+    let mut open = HalfSpaces::<i64>::none(1);
+    open.strict.push(&[1]);
+    let below = Cone::from_half_spaces(&open).unwrap().unwrap();
+    assert_eq!(below.image(&Matrix::new(1)).unwrap(), point);
+}
+
+#[test]
+#[should_panic(expected = "positive half-width")]
+fn a_box_without_width_has_no_fractions() {
+    let _ = volume_in_box(&Cone::<i64>::everything(2).unwrap(), &[ratio(0, 1), ratio(1, 1)]);
+}
+
+#[test]
+#[should_panic(expected = "coordinates")]
+fn a_point_of_another_space_is_refused() {
+    let _ = Cone::<i64>::everything(3).unwrap().contains(&[1]);
 }
