@@ -7,32 +7,45 @@ use crate::exact::{Int, Q, Z, approximate, from_float_exact, primitive_row, rati
 use crate::geometry::{difference, dot};
 use crate::model::{Part, Shape};
 use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
 
 /// Certified lower bounds on the distance of a wrench from the cones it must avoid.
 ///
-/// In the norm fx² + fy² + torque²/ρ² a cone that violates none of `{h · g ≤ 0}` is at least as far from `g` as the
-/// farthest of these half-spaces.
+/// In the norm fx² + fy² + torque²/ρ² a cone that satisfies `{h · g ≤ 0}` is at least as far from `g` as each of these
+/// half-spaces, whose distance is `h · g` over the dual norm of `h`.
 pub(super) struct Margins {
-    /// Per cone its conditions: normal and squared dual norm hx² + hy² + ρ² ht².
-    holes: Vec<Vec<(Vec<Z>, Q)>>,
+    holes: Vec<Vec<Condition>>,
     rho2: Q,
+}
+
+/// A normal `h` and its squared dual norm hx² + hy² + ρ² ht², times the denominator of ρ².
+struct Condition {
+    normal: Vec<Z>,
+    norm2: Z,
+}
+
+/// A fraction with a positive denominator, compared without being reduced.
+#[derive(Clone)]
+struct Fraction {
+    numerator: Z,
+    denominator: Z,
 }
 
 impl Margins {
     pub(super) fn of<T: Int>(holes: &[Cone<T>], rho2: Q) -> Self {
+        let exact = |row: &[T]| row.iter().map(T::to_z).collect::<Vec<Z>>();
+        let condition = |normal: Vec<Z>| {
+            let square = |axis: usize| &normal[axis] * &normal[axis];
+            let norm2 = (square(0) + square(1)) * rho2.denom() + square(2) * rho2.numer();
+            Condition { normal, norm2 }
+        };
         let conditions = |cone: &Cone<T>| {
             let pair = cone.closure();
-            let exact = |row: &[T]| row.iter().map(T::to_z).collect::<Vec<Z>>();
-            let facets = pair.facets().rows().map(exact);
             let sides = pair.equalities().rows().map(exact).flat_map(|row| {
                 let opposite = row.iter().map(|value| -value).collect();
                 [row, opposite]
             });
-            let with_norm = |normal: Vec<Z>| {
-                let norm2 = dual_norm2(&normal, &rho2);
-                (normal, norm2)
-            };
-            facets.chain(sides).map(with_norm).collect()
+            pair.facets().rows().map(exact).chain(sides).map(condition).collect()
         };
         Self { holes: holes.iter().map(conditions).collect(), rho2 }
     }
@@ -40,21 +53,33 @@ impl Margins {
     /// Lower bound on the squared distance of `wrench` from the nearest cone, over its squared length.
     fn margin2(&self, wrench: &[Q]) -> Q {
         let row = primitive_row(wrench);
-        let square = |value: &Z| Q::from(value * value);
-        let length2 = square(&row[0]) + square(&row[1]) + square(&row[2]) / &self.rho2;
-        let from_hole = |conditions: &Vec<(Vec<Z>, Q)>| {
-            let reach = |(normal, norm2): &(Vec<Z>, Q)| {
-                let height: Z = normal.iter().zip(&row).map(|(h, g)| h * g).sum();
-                if height.is_positive() { square(&height) / norm2 } else { Q::zero() }
-            };
-            conditions.iter().map(reach).max().unwrap_or_else(Q::zero)
-        };
-        self.holes.iter().map(from_hole).min().map_or_else(Q::zero, |distance2| distance2 / length2)
+        let nearest = self.holes.iter().map(|conditions| farthest(conditions, &row)).min_by(Fraction::order);
+        let square = |axis: usize| &row[axis] * &row[axis];
+        let length2 = (square(0) + square(1)) * self.rho2.numer() + square(2) * self.rho2.denom();
+        nearest.map_or_else(Q::zero, |distance2| {
+            let scale = self.rho2.denom() * self.rho2.numer();
+            Q::new(distance2.numerator * scale, distance2.denominator * length2)
+        })
     }
 }
 
-fn dual_norm2(normal: &[Z], rho2: &Q) -> Q {
-    Q::from(&normal[0] * &normal[0] + &normal[1] * &normal[1]) + rho2 * Q::from(&normal[2] * &normal[2])
+/// Squared distance of `wrench` from the farthest of the half-spaces, over the denominator of ρ²; zero inside all.
+fn farthest(conditions: &[Condition], wrench: &[Z]) -> Fraction {
+    let none = Fraction { numerator: Z::zero(), denominator: Z::from(1) };
+    conditions.iter().fold(none, |best, Condition { normal, norm2 }| {
+        let height: Z = normal.iter().zip(wrench).map(|(h, g)| h * g).sum();
+        if !height.is_positive() {
+            return best;
+        }
+        let distance2 = Fraction { numerator: &height * &height, denominator: norm2.clone() };
+        if distance2.order(&best).is_gt() { distance2 } else { best }
+    })
+}
+
+impl Fraction {
+    fn order(&self, other: &Self) -> Ordering {
+        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+    }
 }
 
 /// The candidate with the largest margin, one from each interval and arc; a bare wrench if nothing simpler is in the set.
