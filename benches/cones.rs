@@ -1,6 +1,6 @@
 //! Mode cones, feasible modes and whole plans. Run `cargo bench`.
 //!
-//! Contacts lie on a polygon of 50 edges with integer vertices. The group `paper_route` runs the same modes by the
+//! Contacts lie on a polygon of 50 edges with integer vertices, those of `feasible` in a fan with many modes. The group `paper_route` runs the same modes by the
 //! paper's construction, a conversion in up to 2n dimensions, so that each figure has its yardstick in the same run.
 
 use divan::{Bencher, black_box};
@@ -38,7 +38,7 @@ fn paper_route(bencher: Bencher, n: usize) {
 
 #[divan::bench(args = [2, 3, 4, 6, 10, 20, 50])]
 fn feasible(bencher: Bencher, n: usize) {
-    let contacts = contacts(n);
+    let contacts = rows(&fan(n));
     bencher.bench_local(|| feasible_modes(black_box(&contacts)));
 }
 
@@ -84,15 +84,18 @@ impl Ladder for KSpan {
 }
 
 fn contacts(n: usize) -> Vec<ContactRows<i64>> {
-    let (part, fixture) = ring(n);
-    Contact::of(&part, &fixture).iter().map(|contact| contact.on_rung().expect("the ring's rows are short")).collect()
+    rows(&ring(n))
+}
+
+fn rows((part, fixture): &(Part, Fixture)) -> Vec<ContactRows<i64>> {
+    Contact::of(part, fixture).iter().map(|contact| contact.on_rung().expect("the rows are short")).collect()
 }
 
 /// The modes that planning asks for, all of them non-empty: the feasible ones, and for few contacts those that add none
 /// (`s` at one, `m` or `u` at the others).
 fn modes(n: usize) -> Vec<Vec<Interaction>> {
     let contacts = contacts(n);
-    let mut modes = feasible_modes(&contacts).expect("the ring's rows are short");
+    let mut modes = feasible_modes(&contacts).expect("the rows are short");
     modes.push(vec![Interaction::Maintain; n]);
     if n <= 6 {
         for separating in 0..n {
@@ -127,6 +130,20 @@ fn ring(n: usize) -> (Part, Fixture) {
     });
     let fixels = fixels.collect();
     (part(vertices, [ratio(13, 1), ratio(-7, 1)], ratio(498_000, 1)), Fixture { fixels })
+}
+
+/// `n` contacts of which each can be the only one to persist: their normals' wrenches span a cone over a circle, so
+/// there are Θ(n) feasible modes.
+fn fan(n: usize) -> (Part, Fixture) {
+    let (part, _) = ring(1);
+    let center = part.center_of_mass.clone();
+    let contact = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / n as f64;
+        let [slope, arm] = [angle.cos(), angle.sin()].map(|value| ratio((1000.0 * value).round() as i64, 1000));
+        fixel([&center[0] + arm, center[1].clone()], [slope, ratio(1, 1)], ratio(1, 5))
+    };
+    let fixels = (0..n).map(contact).collect();
+    (part, Fixture { fixels })
 }
 
 /// The pawl of the public case `n3_pawl_02`.
