@@ -6,6 +6,7 @@ use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::Mode;
 use partplan::planner::Question;
 use std::io::IsTerminal as _;
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// What is read, how far, and how the answer is written.
@@ -46,6 +47,22 @@ pub struct Common {
     /// Largest case accepted, in bytes
     #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().bytes)]
     pub max_bytes: usize,
+}
+
+/// What a report on sets of wrenches shows besides.
+#[derive(Debug, clap::Args)]
+pub struct Shown {
+    /// Also give the cone of this contact mode, one letter of s a u l r n m per fixel; may be repeated
+    #[arg(long = "mode", value_name = "LETTERS")]
+    pub modes: Vec<Mode>,
+
+    /// Add to the JSON the disjoint convex cells of every region
+    #[arg(long)]
+    pub cells: bool,
+
+    /// Draw the answer into this file
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<PathBuf>,
 }
 
 impl Common {

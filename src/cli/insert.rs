@@ -1,11 +1,9 @@
 //! `plan insert`: which pushes and tilts are guaranteed to seat the part.
 
-use super::common::Common;
+use super::common::{Common, Shown};
 use super::{Failure, Outcome, input, limit, output};
-use partplan::mechanics::Mode;
 use partplan::{planner, report};
 use std::io::Write;
-use std::path::PathBuf;
 
 /// Find every push and tilt that is guaranteed to seat the part against its fixels
 ///
@@ -17,17 +15,8 @@ pub struct Args {
     #[command(flatten)]
     common: Common,
 
-    /// Also give the cone of this contact mode, one letter of s a u l r n m per fixel; may be repeated
-    #[arg(long = "mode", value_name = "LETTERS")]
-    modes: Vec<Mode>,
-
-    /// Add to the JSON the disjoint convex cells of every region
-    #[arg(long)]
-    cells: bool,
-
-    /// Draw the answer into this file
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
+    #[command(flatten)]
+    shown: Shown,
 
     /// Skip the dynamic verification, which this version does not have yet
     #[arg(long)]
@@ -39,18 +28,19 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let _ = args.no_verify;
     let task = input::task(&args.common)?;
     let subject = task.subject();
-    let Some(found) = limit::plan(&task, &args.common, &args.modes, planner::insertion, report::json::INSERT, out)?
+    let Some(found) =
+        limit::plan(&task, &args.common, &args.shown.modes, planner::insertion, report::json::INSERT, out)?
     else {
         return Ok(limit::OVER);
     };
-    if let Some(path) = &args.svg {
+    if let Some(path) = &args.shown.svg {
         output::picture(path, &report::svg::insertion(&subject, &found))?;
     }
     output::answer(
         out,
         args.common.format,
         || report::text::insertion(&subject, &found),
-        || report::json::insertion(&subject, &found, args.cells),
+        || report::json::insertion(&subject, &found, args.shown.cells),
     )?;
     Ok(if found.goal.is_empty() { Outcome::No } else { Outcome::Yes })
 }

@@ -1,7 +1,8 @@
 //! Missing faces of images and sums.
 
-use super::bits::{BitRows, Set, all, count, has, intersect, is_subset};
-use super::pair::{Pair, incidence};
+use super::bits::{BitRows, Set, all, count, has, is_subset};
+use super::lattice::{common, incidence, subfaces, tight_facets};
+use super::pair::Pair;
 use crate::exact::{Int, Matrix, Overflow};
 use std::collections::BTreeSet;
 
@@ -54,46 +55,6 @@ pub(super) fn missing_faces<T: Int>(
     let mut tight: Vec<Vec<usize>> = missing.iter().map(|face| tight_facets(&on, face, n_facets)).collect();
     tight.sort();
     Ok(Some(tight))
-}
-
-/// Every face as a ray set, larger before smaller along each chain.
-pub(super) fn all_faces(on: &BitRows, n_rays: usize) -> Vec<Set> {
-    let mut faces = vec![all(n_rays)];
-    let mut seen: BTreeSet<Set> = faces.iter().cloned().collect();
-    let mut next = 0;
-    while next < faces.len() {
-        for below in subfaces(on, &faces[next]) {
-            if seen.insert(below.clone()) {
-                faces.push(below);
-            }
-        }
-        next += 1;
-    }
-    faces
-}
-
-/// Facets of a face, as ray sets: its maximal proper intersections with facets of the cone.
-pub(super) fn subfaces(on: &BitRows, face: &[u64]) -> Vec<Set> {
-    let mut maximal: Vec<Set> = Vec::new();
-    for facet in on.rows() {
-        let below = intersect(face, facet);
-        if below.as_slice() == face || maximal.iter().any(|kept| is_subset(&below, kept)) {
-            continue;
-        }
-        maximal.retain(|kept| !is_subset(kept, &below));
-        maximal.push(below);
-    }
-    maximal
-}
-
-/// Rays on all `facets`.
-pub(super) fn common(on: &BitRows, facets: &[usize], n_rays: usize) -> Set {
-    facets.iter().fold(all(n_rays), |rays, facet| intersect(&rays, on.row(*facet)))
-}
-
-/// Facets that contain all rays of `face`.
-pub(super) fn tight_facets(on: &BitRows, face: &[u64], n_facets: usize) -> Vec<usize> {
-    (0..n_facets).filter(|facet| is_subset(face, on.row(*facet))).collect()
 }
 
 /// The maximal faces cut off by strict normals that are valid for the closure; `None` if one cuts off everything.

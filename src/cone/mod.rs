@@ -10,6 +10,7 @@ mod bits;
 mod cut;
 mod difference;
 mod faces;
+mod lattice;
 mod linear;
 mod nnc;
 mod pair;

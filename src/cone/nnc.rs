@@ -3,8 +3,9 @@
 use super::bits::count;
 use super::cut::cut_space;
 use super::faces::{Summand, faces_of_strict_normals, missing_faces, rays_of_missing};
+use super::lattice::incidence;
 use super::linear::{dot_sign, positive_combination};
-use super::pair::{Generators, Pair, incidence};
+use super::pair::{Generators, Pair};
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A system of linear conditions on `x`.

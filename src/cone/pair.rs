@@ -2,7 +2,7 @@
 
 use super::bits::{BitRows, count, has, is_subset};
 use super::cut::cut_space;
-use super::faces::all_faces;
+use super::lattice::{all_faces, incidence};
 use super::linear::{Echelon, dot_sign, echelon, is_zero};
 use crate::exact::{Int, Matrix, Overflow};
 
@@ -131,15 +131,6 @@ impl<T: Int> Pair<T> {
         }
         Ok(true)
     }
-}
-
-/// For each normal the set of rays on its hyperplane.
-pub(super) fn incidence<T: Int>(normals: &Matrix<T>, rays: &Matrix<T>) -> Result<BitRows, Overflow> {
-    let mut on = BitRows::new(rays.len());
-    for normal in normals.rows() {
-        on.push_zeros(normal, rays)?;
-    }
-    Ok(on)
 }
 
 /// One normal for each facet: those whose ray sets are proper and maximal.

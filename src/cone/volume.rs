@@ -1,9 +1,9 @@
 //! Exact volumes of cones inside boxes.
 
 use super::bits::BitRows;
-use super::faces::{common, subfaces};
+use super::lattice::{common, incidence, subfaces};
 use super::nnc::Cone;
-use super::pair::{Pair, incidence};
+use super::pair::Pair;
 use crate::exact::{Int, Matrix, Overflow, Q, Z, primitive_row};
 use num_traits::{One, Signed, Zero};
 

@@ -7,7 +7,7 @@
 
 use super::{Entries, Z};
 use num_integer::Integer as _;
-use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
+use num_traits::{One as _, Signed as _, Zero as _};
 use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -100,33 +100,48 @@ pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     fn make_primitive(row: &mut [Self]);
 }
 
-impl Int for i64 {
-    type Wide = i128;
+/// What the machine rungs share.
+macro_rules! machine_entries {
+    () => {
+        type Wide = i128;
 
-    fn from_z(value: &Z) -> Option<Self> {
-        value.to_i64().filter(|v| *v != i64::MIN)
-    }
-    fn to_z(&self) -> Z {
-        Z::from(*self)
-    }
-    fn unit() -> Self {
-        1
-    }
-    fn sign(&self) -> Ordering {
-        self.cmp(&0)
-    }
-    fn negated(&self) -> Self {
-        -self
-    }
-    fn widen(&self) -> i128 {
-        i128::from(*self)
-    }
-    fn wide_sign(value: &i128) -> Ordering {
-        value.cmp(&0)
-    }
-    fn wide_negated(value: &i128) -> i128 {
-        -value
-    }
+        fn from_z(value: &Z) -> Option<Self> {
+            Self::try_from(value).ok().filter(|v| *v != Self::MIN)
+        }
+        fn to_z(&self) -> Z {
+            Z::from(*self)
+        }
+        fn unit() -> Self {
+            1
+        }
+        fn sign(&self) -> Ordering {
+            self.cmp(&0)
+        }
+        fn negated(&self) -> Self {
+            -self
+        }
+        fn widen(&self) -> i128 {
+            i128::from(*self)
+        }
+        fn wide_sign(value: &i128) -> Ordering {
+            value.cmp(&0)
+        }
+        fn wide_negated(value: &i128) -> i128 {
+            -value
+        }
+
+        fn make_primitive(row: &mut [Self]) {
+            let divisor = row.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs().into()));
+            if divisor > 1 {
+                let divisor = Self::try_from(divisor).expect("a divisor of entries above the least one fits");
+                row.iter_mut().for_each(|v| *v /= divisor);
+            }
+        }
+    };
+}
+
+impl Int for i64 {
+    machine_entries!();
 
     fn dot(a: &[Self], b: &[Self]) -> Result<i128, Overflow> {
         debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
@@ -158,43 +173,10 @@ impl Int for i64 {
         }
         Ok(())
     }
-
-    fn make_primitive(row: &mut [Self]) {
-        let divisor = row.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs().into()));
-        if divisor > 1 {
-            let divisor = i64::try_from(divisor).expect("a divisor of i64 entries above i64::MIN fits i64");
-            row.iter_mut().for_each(|v| *v /= divisor);
-        }
-    }
 }
 
 impl Int for i128 {
-    type Wide = i128;
-
-    fn from_z(value: &Z) -> Option<Self> {
-        value.to_i128().filter(|v| *v != i128::MIN)
-    }
-    fn to_z(&self) -> Z {
-        Z::from(*self)
-    }
-    fn unit() -> Self {
-        1
-    }
-    fn sign(&self) -> Ordering {
-        self.cmp(&0)
-    }
-    fn negated(&self) -> Self {
-        -self
-    }
-    fn widen(&self) -> i128 {
-        *self
-    }
-    fn wide_sign(value: &i128) -> Ordering {
-        value.cmp(&0)
-    }
-    fn wide_negated(value: &i128) -> i128 {
-        -value
-    }
+    machine_entries!();
 
     fn dot(a: &[Self], b: &[Self]) -> Result<i128, Overflow> {
         debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
@@ -226,14 +208,6 @@ impl Int for i128 {
         out.extend_from_slice(wide);
         Self::make_primitive(&mut out[start..]);
         Ok(())
-    }
-
-    fn make_primitive(row: &mut [Self]) {
-        let divisor = row.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs()));
-        if divisor > 1 {
-            let divisor = i128::try_from(divisor).expect("a divisor of i128 entries above i128::MIN fits i128");
-            row.iter_mut().for_each(|v| *v /= divisor);
-        }
     }
 }
 

@@ -1,13 +1,13 @@
 //! Insertion against fixels: the wrenches that seat the part whatever the contacts do.
 
-use super::fingers::{Pushes, Wrenches, arc_set, finger_set, tilt_plane};
+use super::fingers::{Wrenches, arc_set, finger_set, tilt_plane};
 use super::recommend::{Margins, recommend};
-use super::sets::{Question, Sets, check_modes};
+use super::sets::{Question, Sets, Task};
 use super::to_answer::region_answer;
 use crate::answer::{EmptyReason, Insertion};
 use crate::cone::{Cone, Generators, Pair, complement, subtract};
-use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb};
-use crate::mechanics::{Contact, ContactRows, Mode, ModeError};
+use crate::exact::{Int, Ladder, Matrix, Overflow, Rung, climb};
+use crate::mechanics::{ContactRows, Mode, ModeError};
 use crate::model::{Fixture, Part};
 
 /// The wrenches guaranteed to seat the part from every state, and the best simple way to apply one.
@@ -19,46 +19,38 @@ use crate::model::{Fixture, Part};
 /// # Errors
 /// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
 pub fn insertion(part: &Part, fixture: &Fixture, question: &Question) -> Result<Insertion, ModeError> {
-    check_modes(fixture, question)?;
-    let contacts = Contact::of(part, fixture);
-    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() };
-    Ok(climb(&job, Rung::Word).0)
+    Ok(climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0)
 }
 
-struct Job<'a> {
-    part: &'a Part,
-    question: &'a Question,
-    contacts: Vec<Contact>,
-    pushes: Pushes,
-    reach: Q,
-}
+struct Inserting<'a>(Task<'a>);
 
-impl Ladder for Job<'_> {
+impl Ladder for Inserting<'_> {
     type Output = Insertion;
 
     fn run<T: Int>(&self) -> Result<Insertion, Overflow> {
-        let sets = Sets::<T>::of(&self.contacts, self.question)?;
+        let task = &self.0;
+        let sets = Sets::<T>::of(task)?;
         let (modes, holes): (Vec<Mode>, Vec<Cone<T>>) = sets.goal_holes.clone().unwrap_or_default().into_iter().unzip();
         let is_known_empty = sets.goal_holes.is_none();
         let cells = if is_known_empty { Vec::new() } else { complement(3, &holes)? };
         let wrenches = if is_known_empty { Wrenches::Nothing } else { Wrenches::Outside(&holes) };
         let hold = without(&cells, &sets.strong_holes)?;
-        let fingers = finger_set(self.part, &self.pushes, &wrenches)?;
+        let fingers = finger_set(task.part, &task.pushes, &wrenches)?;
         let tilt = arc_set(&tilt_plane(), &wrenches)?;
-        let margins = Margins::of(&holes, self.part.gyration2());
+        let margins = Margins::of(&holes, task.part.gyration2());
         let inner = cells.iter().map(Cone::inner_point).collect::<Result<Vec<_>, _>>()?;
         Ok(Insertion {
-            goal: region_answer(&cells, holes.is_empty() && !is_known_empty, &self.reach)?,
+            goal: region_answer(&cells, holes.is_empty() && !is_known_empty, &task.reach)?,
             hold: region_answer(
                 &hold,
                 holes.is_empty() && !is_known_empty && sets.strong_holes.is_empty(),
-                &self.reach,
+                &task.reach,
             )?,
             empty_because: if cells.is_empty() { Some(empty_because(&sets.contacts, &modes, &holes)?) } else { None },
-            plan: recommend(self.part, &self.pushes, &fingers, &tilt, &inner, &margins),
+            plan: recommend(task.part, &task.pushes, &fingers, &tilt, &inner, &margins),
             fingers,
             tilt,
-            wrenches: sets.verdicts(self.question)?,
+            wrenches: sets.verdicts(task.question)?,
             modes: sets.asked_cones(),
         })
     }

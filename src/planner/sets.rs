@@ -1,5 +1,6 @@
 //! The sets of wrenches that stability and insertion are made of.
 
+use super::fingers::Pushes;
 use super::to_answer::cone_answer;
 use crate::answer::{Cone as ConeAnswer, WrenchVerdict};
 use crate::cone::{Cone, HalfSpaces, Pair};
@@ -46,6 +47,24 @@ impl Ladder for ModeCones<'_> {
     }
 }
 
+/// What every planner works from, in integers of any size.
+pub(super) struct Task<'a> {
+    pub(super) part: &'a Part,
+    pub(super) question: &'a Question,
+    pub(super) contacts: Vec<Contact>,
+    pub(super) pushes: Pushes,
+    /// Half-width of the torque axis of the box that measures volumes.
+    pub(super) reach: Q,
+}
+
+impl<'a> Task<'a> {
+    pub(super) fn of(part: &'a Part, fixture: &Fixture, question: &'a Question) -> Result<Self, ModeError> {
+        check_modes(fixture, question)?;
+        let contacts = Contact::of(part, fixture);
+        Ok(Self { part, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() })
+    }
+}
+
 /// Everything that decides where a wrench belongs.
 pub(super) struct Sets<T> {
     pub(super) contacts: Vec<ContactRows<T>>,
@@ -68,15 +87,15 @@ type ModeCone<T> = (Mode, Cone<T>);
 type AskedCone<T> = (String, Option<Cone<T>>);
 
 impl<T: Int> Sets<T> {
-    pub(super) fn of(contacts: &[Contact], question: &Question) -> Result<Self, Overflow> {
-        let contacts = on_rung::<T>(contacts)?;
+    pub(super) fn of(task: &Task) -> Result<Self, Overflow> {
+        let contacts = on_rung::<T>(&task.contacts)?;
         let feasible = feasible_modes(&contacts)?;
         Ok(Self {
             weak: balanced_cone(&contacts)?,
             strong_holes: moving_cones(&contacts, &feasible)?,
             feasible: feasible.into_iter().map(Mode).collect(),
             goal_holes: transition_cones(&contacts)?,
-            asked: asked_modes(&contacts, question)?,
+            asked: asked_modes(&contacts, task.question)?,
             contacts,
         })
     }
@@ -112,7 +131,7 @@ impl<T: Int> Sets<T> {
 }
 
 /// Checks that every mode asked for has one letter per fixel.
-pub(super) fn check_modes(fixture: &Fixture, question: &Question) -> Result<(), ModeError> {
+fn check_modes(fixture: &Fixture, question: &Question) -> Result<(), ModeError> {
     let fixels = fixture.fixels.len();
     match question.modes.iter().find(|mode| mode.0.len() != fixels) {
         Some(mode) => Err(ModeError::Length { letters: mode.0.len(), fixels }),

@@ -1,12 +1,12 @@
 //! Weak and strong stability of the seated part.
 
-use super::fingers::{Pushes, Wrenches, arc_set, finger_set, tilt_plane};
-use super::sets::{Question, Sets, check_modes};
+use super::fingers::{Wrenches, arc_set, finger_set, tilt_plane};
+use super::sets::{Question, Sets, Task};
 use super::to_answer::{cone_answer, region_answer};
 use crate::answer::Stability;
 use crate::cone::{Cone, HalfSpaces, complement};
-use crate::exact::{Int, Ladder, Overflow, Q, Rung, climb};
-use crate::mechanics::{Contact, ModeError};
+use crate::exact::{Int, Ladder, Overflow, Rung, climb};
+use crate::mechanics::ModeError;
 use crate::model::{Fixture, Part};
 
 /// Which wrenches the seated part resists: weakly (some solution is at rest) and strongly (every solution is).
@@ -17,40 +17,32 @@ use crate::model::{Fixture, Part};
 /// # Errors
 /// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
 pub fn stability(part: &Part, fixture: &Fixture, question: &Question) -> Result<Stability, ModeError> {
-    check_modes(fixture, question)?;
-    let contacts = Contact::of(part, fixture);
-    let job = Job { part, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() };
-    Ok(climb(&job, Rung::Word).0)
+    Ok(climb(&Resting(Task::of(part, fixture, question)?), Rung::Word).0)
 }
 
-struct Job<'a> {
-    part: &'a Part,
-    question: &'a Question,
-    contacts: Vec<Contact>,
-    pushes: Pushes,
-    reach: Q,
-}
+struct Resting<'a>(Task<'a>);
 
-impl Ladder for Job<'_> {
+impl Ladder for Resting<'_> {
     type Output = Stability;
 
     fn run<T: Int>(&self) -> Result<Stability, Overflow> {
-        let sets = Sets::<T>::of(&self.contacts, self.question)?;
+        let task = &self.0;
+        let sets = Sets::<T>::of(task)?;
         let cells = complement(3, &sets.strong_holes)?;
         let interior = interior(&sets.weak)?;
         let (weak, strong) = (Wrenches::Inside(Some(&sets.weak)), Wrenches::Outside(&sets.strong_holes));
-        let fingers = |wrenches: &Wrenches<T>| finger_set(self.part, &self.pushes, wrenches);
+        let fingers = |wrenches: &Wrenches<T>| finger_set(task.part, &task.pushes, wrenches);
         Ok(Stability {
             weak: cone_answer(Some(&sets.weak)),
             force_closure: sets.weak.is_everything(),
-            strong: region_answer(&cells, sets.strong_holes.is_empty(), &self.reach)?,
+            strong: region_answer(&cells, sets.strong_holes.is_empty(), &task.reach)?,
             feasible_modes: sets.feasible.iter().map(ToString::to_string).collect(),
             closure_fingers: fingers(&Wrenches::Inside(interior.as_ref()))?,
             weak_fingers: fingers(&weak)?,
             strong_fingers: fingers(&strong)?,
             weak_tilt: arc_set(&tilt_plane(), &weak)?,
             strong_tilt: arc_set(&tilt_plane(), &strong)?,
-            wrenches: sets.verdicts(self.question)?,
+            wrenches: sets.verdicts(task.question)?,
             modes: sets.asked_cones(),
         })
     }
