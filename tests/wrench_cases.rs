@@ -119,7 +119,7 @@ impl Check<'_> {
         self.of("length").same(&json!(ours.as_array().map(Vec::len)), &json!(theirs.len()));
         for (i, entry) in theirs.iter().enumerate() {
             let check = self.of(&i.to_string());
-            check.keys(&ours[i], entry, &["g", "weak", "strong", "goal"]);
+            check.keys(&ours[i], entry, &["g", "weak", "strong", "goal", "acyclic", "unrefuted"]);
             check.of("modes").same(&set(&ours[i]["modes"]), &set(&entry["modes"]));
         }
     }
@@ -168,14 +168,18 @@ fn agrees(name: &str) {
     check.of("strong").region(&stable["strong"], &expected["strong"]);
     check.of("goal").region(&insert["goal"], &expected["goal"]);
     check.of("hold").region(&insert["hold"], &expected["hold"]);
+    check.of("acyclic").region(&insert["acyclic"], &expected["acyclic"]);
+    check.of("unrefuted").region(&insert["unrefuted"], &expected["unrefuted"]);
     for key in ["closure", "weak", "strong"] {
         check.of("fingers").of(key).fingers(&stable["fingers"][key], &expected["fingers"][key]);
     }
     check.of("fingers.goal").fingers(&insert["fingers"]["goal"], &expected["fingers"]["goal"]);
+    check.of("fingers.acyclic").fingers(&insert["fingers"]["acyclic"], &expected["fingers"]["acyclic"]);
     for key in ["weak", "strong"] {
         check.of("tilt").of(key).arcs(&stable["tilt"][key], &expected["tilt"][key]);
     }
     check.of("tilt.goal").arcs(&insert["tilt"]["goal"], &expected["tilt"]["goal"]);
+    check.of("tilt.acyclic").arcs(&insert["tilt"]["acyclic"], &expected["tilt"]["acyclic"]);
     check.fixels(&insert["fixels"], &expected["fixels"]);
 }
 

@@ -8,15 +8,24 @@ use crate::exact::{Q, Z};
 pub struct Insertion {
     /// Wrenches that seat the part from every state, formula (21) of Balkcom & Trinkle for any number of fixels.
     pub goal: Region,
+    /// Wrenches under which no sequence of possible transitions between contact sets can go on for ever: the complete
+    /// set of guarantees of this kind, which contains `goal`.
+    pub acyclic: Region,
     /// Wrenches of `goal` that also hold the seated part still.
     pub hold: Region,
-    /// Why `goal` is empty, when it is.
+    /// Wrenches for which nothing refutes insertion from rest; contains `acyclic`.
+    pub unrefuted: Region,
+    /// Why `acyclic` is empty, when it is.
     pub empty_because: Option<EmptyReason>,
     /// Finger places inside `goal`.
-    pub fingers: FingerSet,
+    pub goal_fingers: FingerSet,
+    /// Finger places inside `acyclic`.
+    pub acyclic_fingers: FingerSet,
     /// Tray tilts (directions of gravity in the tray's plane) inside `goal`.
-    pub tilt: ArcSet,
-    /// The push or tilt with the largest margin, when there is one.
+    pub goal_tilt: ArcSet,
+    /// Tray tilts inside `acyclic`.
+    pub acyclic_tilt: ArcSet,
+    /// The push or tilt with the largest margin inside `acyclic`, when there is one.
     pub plan: Option<Recommendation>,
     /// Verdicts on the wrenches that were asked about.
     pub wrenches: Vec<WrenchVerdict>,
@@ -60,8 +69,12 @@ pub struct WrenchVerdict {
     pub weak: bool,
     /// In the strongly stable set.
     pub strong: bool,
-    /// In the guaranteed-seating set.
+    /// In the set of formula (21): every possible transition adds a contact.
     pub goal: bool,
+    /// In the complete guaranteed-seating set.
+    pub acyclic: bool,
+    /// Not refuted.
+    pub unrefuted: bool,
     /// Of the modes that were asked for, those whose cone contains the wrench.
     pub modes: Vec<String>,
 }

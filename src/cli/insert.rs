@@ -42,5 +42,5 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
         || report::text::insertion(&subject, &found),
         || report::json::insertion(&subject, &found, args.shown.cells),
     )?;
-    Ok(if found.goal.is_empty() { Outcome::No } else { Outcome::Yes })
+    Ok(if found.acyclic.is_empty() { Outcome::No } else { Outcome::Yes })
 }

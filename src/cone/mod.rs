@@ -16,7 +16,7 @@ mod nnc;
 mod pair;
 mod volume;
 
-pub use difference::{complement, subtract};
+pub use difference::{complement, split, subtract};
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};
 pub use volume::volume_in_box;

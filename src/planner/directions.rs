@@ -4,10 +4,9 @@ use crate::cone::Cone;
 use crate::exact::{Entries, Int, Overflow};
 use std::cmp::Ordering;
 
-/// A set of wrenches seen from a plane: it holds the direction `d` if `map · d` is in (or outside all of) some cones.
+/// A union of cones seen from a plane: it holds the direction `d` if one of them holds `map · d`.
 pub(super) struct PlanarSet<T> {
     parts: Vec<PlanarCone<T>>,
-    outside: bool,
 }
 
 /// The conditions of one cone on directions of the plane.
@@ -24,25 +23,17 @@ pub(super) struct Run<T> {
 }
 
 impl<T: Int> PlanarSet<T> {
-    /// The wrenches in `cone`.
-    pub(super) fn inside(cone: Option<&Cone<T>>, map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
-        let parts = cone.map(|cone| PlanarCone::of(cone, map)).transpose()?.into_iter().collect();
-        Ok(Self { parts, outside: false })
-    }
-
-    /// The wrenches outside of all `holes`.
-    pub(super) fn outside(holes: &[Cone<T>], map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
-        let parts = holes.iter().map(|hole| PlanarCone::of(hole, map)).collect::<Result<_, _>>()?;
-        Ok(Self { parts, outside: true })
+    pub(super) fn of(cells: &[Cone<T>], map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
+        Ok(Self { parts: cells.iter().map(|cell| PlanarCone::of(cell, map)).collect::<Result<_, _>>()? })
     }
 
     fn holds(&self, direction: &[T; 2]) -> Result<bool, Overflow> {
         for part in &self.parts {
             if part.holds(direction)? {
-                return Ok(!self.outside);
+                return Ok(true);
             }
         }
-        Ok(self.outside)
+        Ok(false)
     }
 
     /// Directions where membership may change: both directions of every boundary line.

@@ -15,16 +15,6 @@ pub(super) struct Pushes {
     pub(super) circle: Option<[Vec<Z>; 2]>,
 }
 
-/// A set of wrenches to intersect with the pushes.
-pub(super) enum Wrenches<'a, T> {
-    /// Those in a cone, which may be empty.
-    Inside(Option<&'a Cone<T>>),
-    /// Those outside of all cones.
-    Outside(&'a [Cone<T>]),
-    /// None.
-    Nothing,
-}
-
 impl Pushes {
     pub(super) fn of(part: &Part) -> Self {
         let com = &part.center_of_mass;
@@ -63,16 +53,15 @@ fn plane(columns: &[Q; 6]) -> [Vec<Z>; 2] {
     [row[..3].to_vec(), row[3..].to_vec()]
 }
 
-/// Finger places in a set.
-pub(super) fn finger_set<T: Int>(part: &Part, pushes: &Pushes, wrenches: &Wrenches<T>) -> Result<FingerSet, Overflow> {
+/// Finger places in a union of cones.
+pub(super) fn finger_set<T: Int>(part: &Part, pushes: &Pushes, cells: &[Cone<T>]) -> Result<FingerSet, Overflow> {
     if let Some(plane) = &pushes.circle {
-        return arc_set(plane, wrenches).map(FingerSet::Arcs);
+        return arc_set(plane, cells).map(FingerSet::Arcs);
     }
     let Shape::Polygon(polygon) = &part.shape else { return Ok(FingerSet::Edges(Vec::new())) };
     let mut edges = Vec::new();
     for (edge, plane) in pushes.edges.iter().enumerate() {
-        let Some(set) = wrenches.seen_from(plane)? else { continue };
-        let runs = set.runs_in_quadrant()?;
+        let runs = seen_from(plane, cells)?.runs_in_quadrant()?;
         if !runs.is_empty() {
             let intervals = runs.iter().map(|run| interval(polygon, edge, run)).collect();
             edges.push(EdgeFingers { edge, intervals });
@@ -81,25 +70,17 @@ pub(super) fn finger_set<T: Int>(part: &Part, pushes: &Pushes, wrenches: &Wrench
     Ok(FingerSet::Edges(edges))
 }
 
-/// Directions of a plane whose wrenches are in a set.
-pub(super) fn arc_set<T: Int>(plane: &[Vec<Z>; 2], wrenches: &Wrenches<T>) -> Result<ArcSet, Overflow> {
-    let Some(set) = wrenches.seen_from(plane)? else { return Ok(ArcSet { all: false, arcs: Vec::new() }) };
-    let (runs, all) = set.runs_around()?;
+/// Directions of a plane whose wrenches are in a union of cones.
+pub(super) fn arc_set<T: Int>(plane: &[Vec<Z>; 2], cells: &[Cone<T>]) -> Result<ArcSet, Overflow> {
+    let (runs, all) = seen_from(plane, cells)?.runs_around()?;
     let direction = |d: &[T; 2]| [d[0].to_z(), d[1].to_z()];
     let arcs = runs.iter().map(|run| Arc { from: direction(&run.from), to: direction(&run.to), closed: run.closed });
     Ok(ArcSet { all, arcs: arcs.collect() })
 }
 
-impl<T: Int> Wrenches<'_, T> {
-    fn seen_from(&self, plane: &[Vec<Z>; 2]) -> Result<Option<PlanarSet<T>>, Overflow> {
-        let narrow = |row: &[Z]| row.iter().map(|v| T::from_z(v).ok_or(Overflow)).collect::<Result<Vec<T>, _>>();
-        let map = [narrow(&plane[0])?, narrow(&plane[1])?];
-        match self {
-            Self::Inside(cone) => PlanarSet::inside(*cone, &map).map(Some),
-            Self::Outside(holes) => PlanarSet::outside(holes, &map).map(Some),
-            Self::Nothing => Ok(None),
-        }
-    }
+fn seen_from<T: Int>(plane: &[Vec<Z>; 2], cells: &[Cone<T>]) -> Result<PlanarSet<T>, Overflow> {
+    let narrow = |row: &[Z]| row.iter().map(|v| T::from_z(v).ok_or(Overflow)).collect::<Result<Vec<T>, _>>();
+    PlanarSet::of(cells, &[narrow(&plane[0])?, narrow(&plane[1])?])
 }
 
 fn interval<T: Int>(polygon: &Polygon, edge: usize, run: &Run<T>) -> Interval {

@@ -1,9 +1,10 @@
 //! Insertion against fixels: the wrenches that seat the part whatever the contacts do.
 
-use super::fingers::{Wrenches, arc_set, finger_set, tilt_plane};
+use super::fingers::{arc_set, finger_set, tilt_plane};
 use super::recommend::{Margins, recommend};
 use super::sets::{Question, Sets, Task};
 use super::to_answer::region_answer;
+use super::transitions::Verdict;
 use crate::answer::{EmptyReason, Insertion};
 use crate::cone::{Cone, Generators, Pair, complement, subtract};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Rung, climb};
@@ -12,9 +13,12 @@ use crate::model::{Fixture, Part};
 
 /// The wrenches guaranteed to seat the part from every state, and the best simple way to apply one.
 ///
+/// Two sets guarantee that: `goal`, under which every possible transition adds a contact, and the larger `acyclic`, under
+/// which no sequence of possible transitions goes on for ever. The plan is the best of the larger.
+///
 /// # Source
 /// Balkcom & Trinkle (2002), §8 and §9: the complement of all transitions that do not add a contact, formula (21) and
-/// the twelve sets of Table 5, for any number of fixels.
+/// the twelve sets of Table 5, for any number of fixels; `acyclic` answers the question left open at the end of §9.
 ///
 /// # Errors
 /// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
@@ -31,25 +35,29 @@ impl Ladder for Inserting<'_> {
         let task = &self.0;
         let sets = Sets::<T>::of(task)?;
         let (modes, holes): (Vec<Mode>, Vec<Cone<T>>) = sets.goal_holes.clone().unwrap_or_default().into_iter().unzip();
-        let is_known_empty = sets.goal_holes.is_none();
-        let cells = if is_known_empty { Vec::new() } else { complement(3, &holes)? };
-        let wrenches = if is_known_empty { Wrenches::Nothing } else { Wrenches::Outside(&holes) };
-        let hold = without(&cells, &sets.strong_holes)?;
-        let fingers = finger_set(task.part, &task.pushes, &wrenches)?;
-        let tilt = arc_set(&tilt_plane(), &wrenches)?;
-        let margins = Margins::of(&holes, task.part.gyration2());
-        let inner = cells.iter().map(Cone::inner_point).collect::<Result<Vec<_>, _>>()?;
+        let goal = if sets.goal_holes.is_some() { complement(3, &holes)? } else { Vec::new() };
+        let Verdict { acyclic, cyclic } = match &sets.transitions {
+            Some(transitions) => transitions.verdict(complement(3, &transitions.loops)?)?,
+            None => Verdict { acyclic: Vec::new(), cyclic: Vec::new() },
+        };
+        let loops = sets.transitions.iter().flat_map(|transitions| &transitions.loops);
+        let margins = Margins::of(loops.chain(&cyclic), task.part.gyration2());
+        let fingers = |cells: &[Cone<T>]| finger_set(task.part, &task.pushes, cells);
+        let tilt = |cells: &[Cone<T>]| arc_set(&tilt_plane(), cells);
+        let region = |cells: &[Cone<T>]| region_answer(cells, &task.reach);
+        let (acyclic_fingers, acyclic_tilt) = (fingers(&acyclic)?, tilt(&acyclic)?);
+        let inner = acyclic.iter().map(Cone::inner_point).collect::<Result<Vec<_>, _>>()?;
         Ok(Insertion {
-            goal: region_answer(&cells, holes.is_empty() && !is_known_empty, &task.reach)?,
-            hold: region_answer(
-                &hold,
-                holes.is_empty() && !is_known_empty && sets.strong_holes.is_empty(),
-                &task.reach,
-            )?,
-            empty_because: if cells.is_empty() { Some(empty_because(&sets.contacts, &modes, &holes)?) } else { None },
-            plan: recommend(task.part, &task.pushes, &fingers, &tilt, &inner, &margins),
-            fingers,
-            tilt,
+            goal: region(&goal)?,
+            acyclic: region(&acyclic)?,
+            hold: region(&without(&goal, &sets.strong_holes)?)?,
+            unrefuted: region(&complement(3, &sets.refuting)?)?,
+            empty_because: if acyclic.is_empty() { Some(empty_because(&sets.contacts, &modes, &holes)?) } else { None },
+            plan: recommend(task.part, &task.pushes, &acyclic_fingers, &acyclic_tilt, &inner, &margins),
+            goal_fingers: fingers(&goal)?,
+            acyclic_fingers,
+            goal_tilt: tilt(&goal)?,
+            acyclic_tilt,
             wrenches: sets.verdicts(task.question)?,
             modes: sets.asked_cones(),
         })

@@ -7,6 +7,7 @@ mod recommend;
 mod sets;
 mod stability;
 mod to_answer;
+mod transitions;
 
 pub use insert::insertion;
 pub use sets::{Question, mode_cones};

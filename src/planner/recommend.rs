@@ -32,7 +32,7 @@ struct Fraction {
 }
 
 impl Margins {
-    pub(super) fn of<T: Int>(holes: &[Cone<T>], rho2: Q) -> Self {
+    pub(super) fn of<'a, T: Int + 'a>(holes: impl Iterator<Item = &'a Cone<T>>, rho2: Q) -> Self {
         let exact = |row: &[T]| row.iter().map(T::to_z).collect::<Vec<Z>>();
         let condition = |normal: Vec<Z>| {
             let square = |axis: usize| &normal[axis] * &normal[axis];
@@ -47,7 +47,7 @@ impl Margins {
             });
             pair.facets().rows().map(exact).chain(sides).map(condition).collect()
         };
-        Self { holes: holes.iter().map(conditions).collect(), rho2 }
+        Self { holes: holes.map(conditions).collect(), rho2 }
     }
 
     /// Lower bound on the squared distance of `wrench` from the nearest cone, over its squared length.

@@ -2,8 +2,9 @@
 
 use super::fingers::Pushes;
 use super::to_answer::cone_answer;
+use super::transitions::Transitions;
 use crate::answer::{Cone as ConeAnswer, WrenchVerdict};
-use crate::cone::{Cone, HalfSpaces, Pair};
+use crate::cone::{Cone, Generators, HalfSpaces, Pair};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb, primitive_row};
 use crate::mechanics::{
     Contact, ContactRows, Interaction, Mode, ModeError, acceleration_system, balanced_cone, feasible_modes, force_rays,
@@ -77,6 +78,10 @@ pub(super) struct Sets<T> {
     /// Cones outside of which the part seats from every state, with their modes; `None` if together they are known to
     /// cover everything because the normals' wrenches are dependent.
     pub(super) goal_holes: Option<Vec<ModeCone<T>>>,
+    /// The transition graph; `None` as for `goal_holes`, for then some unseated state can always persist.
+    pub(super) transitions: Option<Transitions<T>>,
+    /// Cones outside of which insertion from rest is not refuted.
+    pub(super) refuting: Vec<Cone<T>>,
     asked: Vec<AskedCone<T>>,
 }
 
@@ -90,11 +95,14 @@ impl<T: Int> Sets<T> {
     pub(super) fn of(task: &Task) -> Result<Self, Overflow> {
         let contacts = on_rung::<T>(&task.contacts)?;
         let feasible = feasible_modes(&contacts)?;
+        let is_independent = are_independent(&contacts)?;
         Ok(Self {
             weak: balanced_cone(&contacts)?,
             strong_holes: moving_cones(&contacts, &feasible)?,
+            goal_holes: is_independent.then(|| transition_cones(&contacts)).transpose()?,
+            transitions: is_independent.then(|| Transitions::of(&contacts)).transpose()?,
+            refuting: refuting_cones(&contacts, &feasible)?,
             feasible: feasible.into_iter().map(Mode).collect(),
-            goal_holes: transition_cones(&contacts)?,
             asked: asked_modes(&contacts, task.question)?,
             contacts,
         })
@@ -106,14 +114,12 @@ impl<T: Int> Sets<T> {
 
     fn verdict(&self, wrench: &[Q; 3]) -> Result<WrenchVerdict, Overflow> {
         let row = primitive_row(wrench).iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
-        let mut strong = true;
-        for hole in &self.strong_holes {
-            strong &= !hole.contains(&row)?;
-        }
-        let mut goal = self.goal_holes.is_some();
-        for (_, hole) in self.goal_holes.iter().flatten() {
-            goal &= !hole.contains(&row)?;
-        }
+        let is_outside = |holes: &mut dyn Iterator<Item = &Cone<T>>| {
+            holes.map(|hole| hole.contains(&row)).try_fold(true, |outside, inside| Ok(outside && !inside?))
+        };
+        let (goal_holes, transitions) = (self.goal_holes.as_ref(), self.transitions.as_ref());
+        let goal = goal_holes.map(|holes| is_outside(&mut holes.iter().map(|(_, cone)| cone))).transpose()?;
+        let acyclic = transitions.map(|transitions| transitions.is_acyclic(&row)).transpose()?;
         let mut modes = Vec::new();
         for (name, cone) in &self.asked {
             if let Some(cone) = cone
@@ -122,7 +128,15 @@ impl<T: Int> Sets<T> {
                 modes.push(name.clone());
             }
         }
-        Ok(WrenchVerdict { wrench: wrench.clone(), weak: self.weak.contains(&row)?, strong, goal, modes })
+        Ok(WrenchVerdict {
+            wrench: wrench.clone(),
+            weak: self.weak.contains(&row)?,
+            strong: is_outside(&mut self.strong_holes.iter())?,
+            goal: goal == Some(true),
+            acyclic: acyclic == Some(true),
+            unrefuted: is_outside(&mut self.refuting.iter())?,
+            modes,
+        })
     }
 
     pub(super) fn asked_cones(&self) -> Vec<(String, ConeAnswer)> {
@@ -171,17 +185,9 @@ fn moving_cones<T: Int>(contacts: &[ContactRows<T>], feasible: &[Vec<Interaction
 
 /// The cones of the n 2^(n-1) transitions that do not add a contact: `s` at one fixel, `m` on any of the others, `u` on
 /// the rest, formula (21) and Table 5.
-///
-/// `None` if the normals' wrenches are linearly dependent, for then the cones cover everything: for any wrench, the
-/// frictionless least-constraint problem has a solution whose forces act on independent contacts only, so some contact
-/// carries none, does not approach, and the rest of them are maintained.
-fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Option<Vec<ModeCone<T>>>, Overflow> {
+fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<T>>, Overflow> {
     let n = contacts.len();
-    let normals = Matrix::from_rows(3, contacts.iter().map(|contact| &contact.normal_acceleration));
-    if n > 3 || 3 - Pair::from_normals(&normals, &Matrix::new(3))?.dim() < n {
-        return Ok(None);
-    }
-    let mut cones = Vec::new();
+    let mut modes = Vec::new();
     for separating in 0..n {
         for maintained in (0..1_u32 << n).filter(|set| set >> separating & 1 == 0) {
             let letter = |contact: usize| match contact {
@@ -189,11 +195,44 @@ fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Option<Vec<Mo
                 _ if maintained >> contact & 1 == 1 => Interaction::Maintain,
                 _ => Interaction::Unconstrained,
             };
-            let mode: Vec<Interaction> = (0..n).map(letter).collect();
-            if let Some(cone) = mode_cone(contacts, &mode, false)? {
-                cones.push((Mode(mode), cone));
-            }
+            modes.push((maintained.count_ones(), (0..n).map(letter).collect::<Vec<_>>()));
         }
     }
-    Ok(Some(cones))
+    // half-spaces first: what they leave is small and simple
+    modes.sort();
+    let mut cones = Vec::new();
+    for (_, mode) in modes {
+        if let Some(cone) = mode_cone(contacts, &mode, false)? {
+            cones.push((Mode(mode), cone));
+        }
+    }
+    Ok(cones)
+}
+
+/// Whether the normals' wrenches are linearly independent.
+///
+/// If they are not, no wrench is sure to seat the part: whatever it is, the frictionless least-constraint problem has a
+/// solution whose forces act on independent contacts only, so some contact carries none and does not approach while
+/// those that carry force are maintained. That state persists.
+fn are_independent<T: Int>(contacts: &[ContactRows<T>]) -> Result<bool, Overflow> {
+    let normals = Matrix::from_rows(3, contacts.iter().map(|contact| &contact.normal_acceleration));
+    Ok(contacts.len() <= 3 && 3 - Pair::from_normals(&normals, &Matrix::new(3))?.dim() == contacts.len())
+}
+
+/// The cones of the wrenches under which an unseated part can rest on the contacts that it has (all but one at the most,
+/// at the largest static friction), or a contact of the seated part can break.
+fn refuting_cones<T: Int>(
+    contacts: &[ContactRows<T>],
+    feasible: &[Vec<Interaction>],
+) -> Result<Vec<Cone<T>>, Overflow> {
+    let mut cones = Vec::new();
+    for free in 0..contacts.len() {
+        let others = contacts.iter().enumerate().filter(|(index, _)| *index != free);
+        let rays = Matrix::from_rows(3, others.flat_map(|(_, contact)| &contact.static_forces));
+        cones.push(Pair::from_generators(&Generators { lines: Matrix::new(3), rays })?.into());
+    }
+    for mode in feasible.iter().filter(|mode| mode.contains(&Interaction::Separate)) {
+        cones.extend(mode_cone(contacts, mode, true)?);
+    }
+    Ok(cones)
 }

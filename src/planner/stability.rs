@@ -1,6 +1,6 @@
 //! Weak and strong stability of the seated part.
 
-use super::fingers::{Wrenches, arc_set, finger_set, tilt_plane};
+use super::fingers::{arc_set, finger_set, tilt_plane};
 use super::sets::{Question, Sets, Task};
 use super::to_answer::{cone_answer, region_answer};
 use crate::answer::Stability;
@@ -30,18 +30,18 @@ impl Ladder for Resting<'_> {
         let sets = Sets::<T>::of(task)?;
         let cells = complement(3, &sets.strong_holes)?;
         let interior = interior(&sets.weak)?;
-        let (weak, strong) = (Wrenches::Inside(Some(&sets.weak)), Wrenches::Outside(&sets.strong_holes));
-        let fingers = |wrenches: &Wrenches<T>| finger_set(task.part, &task.pushes, wrenches);
+        let weak = std::slice::from_ref(&sets.weak);
+        let fingers = |cells: &[Cone<T>]| finger_set(task.part, &task.pushes, cells);
         Ok(Stability {
             weak: cone_answer(Some(&sets.weak)),
             force_closure: sets.weak.is_everything(),
-            strong: region_answer(&cells, sets.strong_holes.is_empty(), &task.reach)?,
+            strong: region_answer(&cells, &task.reach)?,
             feasible_modes: sets.feasible.iter().map(ToString::to_string).collect(),
-            closure_fingers: fingers(&Wrenches::Inside(interior.as_ref()))?,
-            weak_fingers: fingers(&weak)?,
-            strong_fingers: fingers(&strong)?,
-            weak_tilt: arc_set(&tilt_plane(), &weak)?,
-            strong_tilt: arc_set(&tilt_plane(), &strong)?,
+            closure_fingers: fingers(interior.as_slice())?,
+            weak_fingers: fingers(weak)?,
+            strong_fingers: fingers(&cells)?,
+            weak_tilt: arc_set(&tilt_plane(), weak)?,
+            strong_tilt: arc_set(&tilt_plane(), &cells)?,
             wrenches: sets.verdicts(task.question)?,
             modes: sets.asked_cones(),
         })

@@ -29,7 +29,7 @@ pub(super) fn cone_answer<T: Int>(cone: Option<&Cone<T>>) -> ConeAnswer {
 }
 
 /// A union of disjoint cones as an answer; `reach` is the half-width of the torque axis of the box.
-pub(super) fn region_answer<T: Int>(cells: &[Cone<T>], everything: bool, reach: &Q) -> Result<Region, Overflow> {
+pub(super) fn region_answer<T: Int>(cells: &[Cone<T>], reach: &Q) -> Result<Region, Overflow> {
     let half_widths = [Q::from(Z::from(1)), Q::from(Z::from(1)), reach.clone()];
     let mut volume = Q::zero();
     for cell in cells {
@@ -37,7 +37,7 @@ pub(super) fn region_answer<T: Int>(cells: &[Cone<T>], everything: bool, reach: 
     }
     Ok(Region {
         dim: cells.iter().map(|cell| cell.closure().dim()).max(),
-        everything,
+        everything: cells.iter().any(Cone::is_everything),
         volume_in_box: volume,
         cells: cells.iter().map(|cell| cone_answer(Some(cell))).collect(),
     })

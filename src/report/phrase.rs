@@ -27,7 +27,7 @@ pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {
         Some(Action::Wrench) => {
             format!("apply force and torque together, no single push or tilt will do: {seats}")
         }
-        None if answer.goal.is_empty() => {
+        None if answer.acyclic.is_empty() => {
             let reason = answer.empty_because.as_ref().map_or_else(String::new, |reason| format!(": {}", why(reason)));
             format!("no wrench is guaranteed to seat the part{reason}")
         }

@@ -63,7 +63,7 @@ fn check_same(
     prop_assert_eq!(stable.feasible_modes, stable_image.feasible_modes);
     prop_assert_eq!(stable.force_closure, stable_image.force_closure);
     prop_assert_eq!(insert.empty_because, insert_image.empty_because);
-    prop_assert_eq!(shares(&insert.fingers), shares(&insert_image.fingers));
+    prop_assert_eq!(shares(&insert.goal_fingers), shares(&insert_image.goal_fingers));
     prop_assert_eq!(shares(&stable.weak_fingers), shares(&stable_image.weak_fingers));
     prop_assert_eq!(shares(&stable.strong_fingers), shares(&stable_image.strong_fingers));
     prop_assert_eq!(shares(&stable.closure_fingers), shares(&stable_image.closure_fingers));
@@ -137,8 +137,8 @@ proptest! {
         prop_assert_eq!(&insert.hold.volume_in_box, &insert_rotated.hold.volume_in_box);
         prop_assert_eq!(&stable.strong.volume_in_box, &stable_rotated.strong.volume_in_box);
         prop_assert_eq!(insert.wrenches, insert_rotated.wrenches);
-        prop_assert_eq!(insert.fingers, insert_rotated.fingers);
-        prop_assert_eq!(insert.tilt, insert_rotated.tilt);
+        prop_assert_eq!(insert.goal_fingers, insert_rotated.goal_fingers);
+        prop_assert_eq!(insert.goal_tilt, insert_rotated.goal_tilt);
         prop_assert_eq!(stable.weak, stable_rotated.weak);
         prop_assert_eq!(stable.strong_fingers, stable_rotated.strong_fingers);
         prop_assert_eq!(stable.strong_tilt, stable_rotated.strong_tilt);

@@ -6,3 +6,4 @@ mod places;
 mod sets;
 #[path = "../support/mod.rs"]
 mod support;
+mod transitions;

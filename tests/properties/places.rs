@@ -38,18 +38,25 @@ impl Sets {
             moving: contacts.moving_modes(),
             contacts,
             fingers: vec![
-                ("goal", insert.fingers),
+                ("goal", insert.goal_fingers),
+                ("acyclic", insert.acyclic_fingers),
                 ("weak", stable.weak_fingers),
                 ("strong", stable.strong_fingers),
                 ("closure", stable.closure_fingers),
             ],
-            tilts: vec![("goal", insert.tilt), ("weak", stable.weak_tilt), ("strong", stable.strong_tilt)],
+            tilts: vec![
+                ("goal", insert.goal_tilt),
+                ("acyclic", insert.acyclic_tilt),
+                ("weak", stable.weak_tilt),
+                ("strong", stable.strong_tilt),
+            ],
         }
     }
 
     fn holds(&self, set: &str, g: &Wrench) -> bool {
         match set {
             "goal" => self.contacts.goal(g),
+            "acyclic" => self.contacts.acyclic(g),
             "weak" => self.contacts.weak(g),
             "strong" => self.contacts.strong(&self.moving, g),
             "closure" => self.contacts.weak_interior(g),

@@ -86,12 +86,12 @@ proptest! {
     #[test]
     fn regions_describe_their_cells(setup in any_setup(1..=4)) {
         let (goal, stable) = answers(&setup, &[]);
-        for region in [&goal.goal, &goal.hold, &stable.strong] {
+        for region in [&goal.goal, &goal.acyclic, &goal.hold, &goal.unrefuted, &stable.strong] {
             check_summary(region)?;
         }
         prop_assert!(goal.hold.volume_in_box <= goal.goal.volume_in_box);
         prop_assert!(goal.hold.volume_in_box <= stable.strong.volume_in_box);
-        prop_assert_eq!(goal.goal.is_empty(), goal.empty_because.is_some());
+        prop_assert_eq!(goal.acyclic.is_empty(), goal.empty_because.is_some());
         let is_everything = matches!(&stable.weak, Cone::Of(cone) if cone.lines.len() == 3);
         prop_assert_eq!(stable.force_closure, is_everything);
     }

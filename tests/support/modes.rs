@@ -142,6 +142,37 @@ impl Contacts {
         })
     }
 
+    /// Whether the transitions possible under `g` contain no cycle, straight from the definition.
+    pub fn acyclic(&self, g: &Wrench) -> bool {
+        let n = self.list.len();
+        let possible = |letter: &dyn Fn(usize) -> char| self.consistent(&(0..n).map(letter).collect::<String>(), g);
+        let has = |set: usize, contact: usize| set >> contact & 1 == 1;
+        let leads = |from: usize, to: usize| match (from & !to, to & !from) {
+            (0, 0) => from + 1 < 1 << n && possible(&|i| if has(from, i) { 'm' } else { 's' }),
+            (broken, 0) => possible(&|i| match i {
+                _ if has(broken, i) => 'b',
+                _ if has(to, i) => 'm',
+                _ => 'u',
+            }),
+            (0, added) => possible(&|i| match i {
+                _ if has(from, i) => 'm',
+                _ if has(added, i) => 'a',
+                _ => 'u',
+            }),
+            _ => false,
+        };
+        let mut reach: Vec<Vec<bool>> =
+            (0..1 << n).map(|from| (0..1 << n).map(|to| leads(from, to)).collect()).collect();
+        for via in 0..1 << n {
+            for from in 0..1 << n {
+                for to in 0..1 << n {
+                    reach[from][to] |= reach[from][via] && reach[via][to];
+                }
+            }
+        }
+        (0..1 << n).all(|state| !reach[state][state])
+    }
+
     /// Outside of all the modes of (21) that undo or delay seating.
     pub fn goal(&self, g: &Wrench) -> bool {
         !unseating_modes(self.list.len()).iter().any(|mode| self.consistent(mode, g))

@@ -23,16 +23,32 @@ pub const CONE: &str = "plan.cone/1";
 #[must_use]
 pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
     let mut result = context(subject);
-    result.insert("goal".into(), sets::region(&answer.goal, cells).into());
-    result.insert("hold".into(), sets::region(&answer.hold, cells).into());
-    result.insert("fingers".into(), json!({ "goal": sets::fingers(subject.part, &answer.fingers) }));
-    result.insert("tilt".into(), json!({ "goal": sets::arc_set(&answer.tilt) }));
+    let regions = [
+        ("goal", &answer.goal),
+        ("acyclic", &answer.acyclic),
+        ("hold", &answer.hold),
+        ("unrefuted", &answer.unrefuted),
+    ];
+    for (name, region) in regions {
+        result.insert(name.into(), sets::region(region, cells).into());
+    }
+    result.insert(
+        "fingers".into(),
+        json!({
+            "goal": sets::fingers(subject.part, &answer.goal_fingers),
+            "acyclic": sets::fingers(subject.part, &answer.acyclic_fingers),
+        }),
+    );
+    result.insert(
+        "tilt".into(),
+        json!({ "goal": sets::arc_set(&answer.goal_tilt), "acyclic": sets::arc_set(&answer.acyclic_tilt) }),
+    );
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));
     }
     insert_asked(&mut result, &answer.modes, &answer.wrenches);
-    let status = if answer.goal.is_empty() { "no-plan" } else { "plan" };
+    let status = if answer.acyclic.is_empty() { "no-plan" } else { "plan" };
     envelope(subject, INSERT, status, result)
 }
 
@@ -125,6 +141,8 @@ fn verdict(verdict: &WrenchVerdict) -> Value {
         "weak": verdict.weak,
         "strong": verdict.strong,
         "goal": verdict.goal,
+        "acyclic": verdict.acyclic,
+        "unrefuted": verdict.unrefuted,
         "modes": verdict.modes,
     })
 }
@@ -151,6 +169,7 @@ fn plan(plan: &Recommendation) -> Value {
         }),
         Action::Wrench => json!({ "action": "wrench" }),
     };
+    value["set"] = json!("acyclic");
     value["wrench"] = rationals(&plan.wrench);
     value["margin2"] = rational(&plan.margin2);
     value["margin_approx"] = json!(to_f64(&plan.margin2).sqrt());

@@ -20,9 +20,10 @@ use scene::Scene;
 #[must_use]
 pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
     let mut scene = Scene::new(subject);
-    tilt::draw(&mut scene, &answer.tilt, "tilts that seat the part");
+    tilt::draw(&mut scene, &answer.acyclic_tilt, "tilts that seat the part");
     contact::draw_cones(&mut scene, subject);
-    let band = Band { fingers: &answer.fingers, colour: GREEN, meaning: "a finger here seats the part", lane: 0 };
+    let band =
+        Band { fingers: &answer.acyclic_fingers, colour: GREEN, meaning: "a finger here seats the part", lane: 0 };
     finger::draw(&mut scene, &[band]);
     contact::draw_fixels(&mut scene, subject);
     if let Some(plan) = &answer.plan {

@@ -39,10 +39,14 @@ fn upper_half() -> ArcSet {
 fn answer(plan: Option<Action>) -> Insertion {
     Insertion {
         goal: region(plan.as_ref().map(|_| 3)),
+        acyclic: region(plan.as_ref().map(|_| 3)),
         hold: region(None),
+        unrefuted: region(None),
         empty_because: plan.is_none().then_some(EmptyReason::DependentNormals),
-        fingers: FingerSet::Arcs(upper_half()),
-        tilt: upper_half(),
+        goal_fingers: FingerSet::Arcs(upper_half()),
+        acyclic_fingers: FingerSet::Arcs(upper_half()),
+        goal_tilt: upper_half(),
+        acyclic_tilt: upper_half(),
         plan: plan.map(|action| Recommendation {
             action,
             wrench: [ratio(1, 1), ratio(-1, 1), ratio(-1, 3)],

@@ -3,7 +3,7 @@
 use super::super::decimal::{self, near, percent};
 use super::super::{Subject, phrase};
 use super::lines::Report;
-use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation, Region};
+use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation};
 use crate::exact::{Z, to_f64};
 
 /// The answer, how to apply it, and what else would do.
@@ -16,9 +16,9 @@ pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
     if let Some(reason) = &answer.empty_because {
         explain(&mut report, reason);
     }
-    if !answer.goal.is_empty() {
+    if !answer.acyclic.is_empty() {
         alternatives(&mut report, subject, answer);
-        report.line("wrenches", &shares(&answer.goal, &answer.hold));
+        report.line("wrenches", &shares(answer));
     }
     report.wrenches(&answer.wrenches);
     report.modes(&answer.modes);
@@ -63,7 +63,7 @@ fn explain(report: &mut Report, reason: &EmptyReason) {
 
 fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {
     let action = answer.plan.as_ref().map(|plan| &plan.action);
-    let mut fingers = answer.fingers.clone();
+    let mut fingers = answer.acyclic_fingers.clone();
     if let (Some(Action::PushEdge { edge, interval, .. }), FingerSet::Edges(edges)) = (action, &mut fingers) {
         for fingers in edges.iter_mut().filter(|fingers| fingers.edge == *edge) {
             fingers.intervals.retain(|other| other != interval);
@@ -72,27 +72,28 @@ fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {
     let recommended = matches!(action, Some(Action::PushEdge { .. } | Action::PushArc { .. }));
     let none = if recommended { "no other place" } else { "no place will do" };
     let label = if recommended { "or push" } else { "push" };
-    let places = match (action, &answer.fingers) {
+    let places = match (action, &answer.acyclic_fingers) {
         (Some(Action::PushArc { .. }), FingerSet::Arcs(set)) if set.arcs.len() < 2 => Vec::new(),
         _ => phrase::places(subject, &fingers),
     };
     report.list(label, &places, none);
-    if !matches!(action, Some(Action::Tilt { .. })) || answer.tilt.arcs.len() > 1 {
-        let tilts = phrase::directions(&answer.tilt, "gravity towards");
+    if !matches!(action, Some(Action::Tilt { .. })) || answer.acyclic_tilt.arcs.len() > 1 {
+        let tilts = phrase::directions(&answer.acyclic_tilt, "gravity towards");
         report.list("or tilt", &tilts, "gravity alone seats it in no direction");
     }
 }
 
-fn shares(goal: &Region, hold: &Region) -> String {
-    if !goal.has_interior() {
+fn shares(Insertion { goal, acyclic, hold, .. }: &Insertion) -> String {
+    if !acyclic.has_interior() {
         return "the wrenches that seat it have no interior: any disturbance may spoil them".to_owned();
     }
-    let held = if hold.is_empty() {
-        "none of them is certain to hold it there".to_owned()
+    let steady = if goal.is_empty() {
+        "none adds a contact at every step".to_owned()
     } else {
-        format!("{} % seat it and then hold it still", percent(&hold.volume_in_box))
+        let held = if hold.is_empty() { "none".to_owned() } else { format!("{} %", percent(&hold.volume_in_box)) };
+        format!("{} % add a contact at every step, {held} hold it still then", percent(&goal.volume_in_box))
     };
-    format!("{} % of all wrenches seat it; {held}", percent(&goal.volume_in_box))
+    format!("{} % of all wrenches seat it; {steady}", percent(&acyclic.volume_in_box))
 }
 
 fn degrees(direction: &[Z; 2]) -> String {

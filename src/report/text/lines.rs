@@ -73,7 +73,7 @@ impl Report {
 }
 
 fn words(verdict: &WrenchVerdict) -> String {
-    let seats = if verdict.goal { "seats the part" } else { "is not guaranteed to seat the part" };
+    let seats = if verdict.acyclic { "seats the part" } else { "is not guaranteed to seat the part" };
     let holds = match (verdict.strong, verdict.weak) {
         (true, _) => "seated, it stays at rest",
         (false, true) => "seated, it may stay or move",

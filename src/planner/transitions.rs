@@ -1,0 +1,157 @@
+//! The graph of possible transitions between sets of achieved contacts, and the wrenches for which it has no cycle.
+
+use crate::cone::{Cone, HalfSpaces, split};
+use crate::exact::{Int, Overflow};
+use crate::mechanics::{ContactRows, Interaction, mode_cone};
+
+/// All transitions that some wrench makes possible. A state is a set of contacts, bit `i` for fixel `i`.
+pub(super) struct Transitions<T> {
+    n_states: usize,
+    /// Cones of the wrenches under which some unseated state can persist.
+    pub(super) loops: Vec<Cone<T>>,
+    edges: Vec<Edge<T>>,
+}
+
+/// A change of state and the wrenches under which it is possible.
+struct Edge<T> {
+    from: usize,
+    to: usize,
+    possible: HalfSpaces<T>,
+    cone: Cone<T>,
+}
+
+/// The space of wrenches cut into convex cells by whether the graph can have a cycle.
+pub(super) struct Verdict<T> {
+    /// Disjoint cells without a cycle.
+    pub(super) acyclic: Vec<Cone<T>>,
+    /// Cells with a cycle; together with the loops they cover the rest.
+    pub(super) cyclic: Vec<Cone<T>>,
+}
+
+impl<T: Int> Transitions<T> {
+    /// The transitions of at most three contacts: contacts break, `C -> C \ D`, with `s` (strict) on `D` and `m` on the
+    /// rest of `C`; are added, `C -> C + T`, with `m` on `C` and `a` on `T`; or stay as they are, `C -> C`, with `m` on `C`
+    /// and `s` elsewhere. All other contacts are `u`.
+    ///
+    /// # Source
+    /// The question that Balkcom & Trinkle (2002) leave open at the end of §9: the complete set asks for all acyclic
+    /// graphs with the seated state as their only sink.
+    pub(super) fn of(contacts: &[ContactRows<T>]) -> Result<Self, Overflow> {
+        let n_states = 1_usize << contacts.len();
+        let seated = n_states - 1;
+        let cone = |separating: usize, maintained: usize, approaching: usize, strict_s: bool| {
+            let letter = |contact: usize| match 1_usize << contact {
+                bit if separating & bit != 0 => Interaction::Separate,
+                bit if maintained & bit != 0 => Interaction::Maintain,
+                bit if approaching & bit != 0 => Interaction::Approach,
+                _ => Interaction::Unconstrained,
+            };
+            let mode: Vec<Interaction> = (0..contacts.len()).map(letter).collect();
+            mode_cone(contacts, &mode, strict_s)
+        };
+        let mut loops = Vec::new();
+        let mut edges = Vec::new();
+        for from in 0..n_states {
+            for to in 0..n_states {
+                let possible = match (from & !to, to & !from) {
+                    (0, 0) if from == seated => None,
+                    (0, 0) => {
+                        loops.extend(cone(seated & !from, from, 0, false)?);
+                        None
+                    }
+                    (broken, 0) => cone(broken, to, 0, true)?,
+                    (0, added) => cone(0, from, added, false)?,
+                    _ => None,
+                };
+                if let Some(cone) = possible {
+                    edges.push(Edge { from, to, possible: cone.half_spaces()?, cone });
+                }
+            }
+        }
+        Ok(Self { n_states, loops, edges })
+    }
+
+    /// Whether the graph under `wrench` has no cycle.
+    pub(super) fn is_acyclic(&self, wrench: &[T]) -> Result<bool, Overflow> {
+        for cone in &self.loops {
+            if cone.contains(wrench)? {
+                return Ok(false);
+            }
+        }
+        let mut present = 0;
+        for (index, edge) in self.edges.iter().enumerate() {
+            if edge.cone.contains(wrench)? {
+                present |= 1 << index;
+            }
+        }
+        Ok(!self.has_cycle(present))
+    }
+
+    /// Cells of the wrenches outside of all loops, each cut by one more transition only while its verdict is open.
+    pub(super) fn verdict(&self, outside_loops: Vec<Cone<T>>) -> Result<Verdict<T>, Overflow> {
+        let mut verdict = Verdict { acyclic: Vec::new(), cyclic: Vec::new() };
+        let all_edges = (1_u64 << self.edges.len()) - 1;
+        let mut open: Vec<(Cone<T>, u64, u64)> = outside_loops.into_iter().map(|piece| (piece, 0, all_edges)).collect();
+        while let Some((piece, present, undecided)) = open.pop() {
+            if self.has_cycle(present) {
+                verdict.cyclic.push(piece);
+                continue;
+            }
+            let Some(next) = self.most_telling(present, undecided) else {
+                verdict.acyclic.push(piece);
+                continue;
+            };
+            let undecided = undecided & !(1 << next);
+            let (possible, impossible) = split(&piece, &self.edges[next].possible)?;
+            open.extend(possible.map(|part| (part, present | 1 << next, undecided)));
+            open.extend(impossible.into_iter().map(|part| (part, present, undecided)));
+        }
+        Ok(verdict)
+    }
+
+    fn has_cycle(&self, edges: u64) -> bool {
+        let mut left: Vec<bool> = vec![true; self.n_states];
+        // a state without a way to a state that is left can be on no cycle
+        loop {
+            let leads_on = |state: usize| self.chosen(edges).any(|(_, edge)| edge.from == state && left[edge.to]);
+            let Some(done) = (0..self.n_states).find(|state| left[*state] && !leads_on(*state)) else { break };
+            left[done] = false;
+        }
+        left.contains(&true)
+    }
+
+    /// Of the undecided edges the one whose presence comes closest to closing a cycle, among equals one that breaks
+    /// contacts, for those are mostly impossible; `None` if no cycle can be closed.
+    fn most_telling(&self, present: u64, undecided: u64) -> Option<usize> {
+        let fewest = self.fewest_undecided(present, undecided);
+        let candidates = self.chosen(undecided).filter_map(|(index, edge)| {
+            let way_back = fewest[edge.to * self.n_states + edge.from]?;
+            Some((way_back, edge.to > edge.from, index))
+        });
+        candidates.min().map(|(_, _, index)| index)
+    }
+
+    /// From each state to each other the least number of undecided edges on a way over present and undecided ones.
+    fn fewest_undecided(&self, present: u64, undecided: u64) -> Vec<Option<u8>> {
+        let n = self.n_states;
+        let mut fewest: Vec<Option<u8>> = vec![None; n * n];
+        for (index, edge) in self.chosen(present | undecided) {
+            fewest[edge.from * n + edge.to] = Some(u8::from(undecided >> index & 1 == 1));
+        }
+        for via in 0..n {
+            for from in 0..n {
+                let Some(first) = fewest[from * n + via] else { continue };
+                for to in 0..n {
+                    let Some(second) = fewest[via * n + to] else { continue };
+                    let known = &mut fewest[from * n + to];
+                    *known = Some(known.map_or(first + second, |known| known.min(first + second)));
+                }
+            }
+        }
+        fewest
+    }
+
+    fn chosen(&self, edges: u64) -> impl Iterator<Item = (usize, &Edge<T>)> {
+        self.edges.iter().enumerate().filter(move |(index, _)| edges >> index & 1 == 1)
+    }
+}
