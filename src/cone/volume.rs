@@ -1,16 +1,18 @@
 //! Exact volumes of cones inside boxes.
 
-use super::bits::BitRows;
-use super::lattice::{common, incidence, subfaces};
+use super::bits::{BitRows, all};
+use super::lattice::{incidence, subfaces};
 use super::nnc::Cone;
 use super::pair::Pair;
 use crate::exact::{Int, Matrix, Overflow, Q, Z, primitive_row};
 use num_traits::{One, Signed, Zero};
+use smallvec::SmallVec;
+use std::cmp::Ordering;
 
 /// Volume of `cone` inside `|x_i| ≤ reach_i`, as a fraction of the box.
 ///
 /// With the box scaled to the cube, the cone's part of it is the union of the pyramids from the apex over the cone's
-/// part of each of the cube's facets, which is triangulated from its face lattice.
+/// sections with the cube's facets, which are triangulated from their face lattices.
 ///
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
@@ -26,14 +28,13 @@ pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow>
     if cone.closure().dim() < dim {
         return Ok(Q::zero());
     }
-    let polytope = in_cube(cone.closure(), reach)?;
-    let vertices: Vec<Vec<Z>> = polytope.rays().rows().map(|ray| ray.iter().map(T::to_z).collect()).collect();
-    let on = incidence(polytope.facets(), polytope.rays())?;
+    let normals = in_cube(cone.closure(), reach)?;
     let mut pyramids = Vec::new();
-    for (facet, normal) in polytope.facets().rows().enumerate() {
-        if normal[dim].sign().is_ne() {
-            let face = common(&on, &[facet], vertices.len());
-            triangulate(&on, &face, &mut Vec::new(), &mut |simplex| pyramids.push(pyramid(&vertices, simplex)));
+    for axis in 0..dim {
+        for side in [Ordering::Greater, Ordering::Less] {
+            if reaches(cone.closure(), axis, side) {
+                add_pyramids(&section(&normals, axis, side)?, axis, &mut pyramids)?;
+            }
         }
     }
     let (numerator, denominator) = sum(&pyramids);
@@ -41,25 +42,61 @@ pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow>
     Ok(Q::new(numerator, denominator * scale))
 }
 
-/// The cone's part of the cube `|y_i| ≤ 1`, `y_i = x_i / reach_i`, homogenised by a last coordinate.
-fn in_cube<T: Int>(cone: &Pair<T>, reach: &[Q]) -> Result<Pair<T>, Overflow> {
-    let dim = reach.len();
-    let mut normals = Matrix::new(dim + 1);
+/// The facet normals in the coordinates `y_i = x_i / reach_i`.
+fn in_cube<T: Int>(cone: &Pair<T>, reach: &[Q]) -> Result<Matrix<T>, Overflow> {
+    let scale = primitive_row(reach).iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
+    let mut normals = Matrix::with_capacity(reach.len(), cone.facets().len());
     for facet in cone.facets().rows() {
-        let mut scaled: Vec<Q> = facet.iter().zip(reach).map(|(value, reach)| reach * value.to_z()).collect();
-        scaled.push(Q::zero());
-        let row = primitive_row(&scaled).iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
-        normals.push(&row);
+        let product = |axis: usize| T::dot(&facet[axis..=axis], &scale[axis..=axis]);
+        let scaled = (0..reach.len()).map(product).collect::<Result<SmallVec<[_; 4]>, _>>()?;
+        normals.push_with(|entries| T::primitive(&scaled, entries))?;
     }
-    for axis in 0..dim {
-        for side in [T::unit(), T::unit().negated()] {
-            let mut row = vec![T::default(); dim + 1];
-            row[axis] = side;
-            row[dim] = T::unit().negated();
-            normals.push(&row);
+    Ok(normals)
+}
+
+/// Whether some point of the cone has coordinate `axis` on this side of zero.
+fn reaches<T: Int>(cone: &Pair<T>, axis: usize, side: Ordering) -> bool {
+    cone.rays().rows().any(|ray| ray[axis].sign() == side) || cone.lines().rows().any(|line| line[axis].sign().is_ne())
+}
+
+/// The section with the cube's facet `y_axis = ±1`, homogenised: coordinate `axis` becomes the common denominator.
+fn section<T: Int>(normals: &Matrix<T>, axis: usize, side: Ordering) -> Result<Pair<T>, Overflow> {
+    let dim = normals.columns();
+    let mut sectioned = Matrix::with_capacity(dim, normals.len() + 2 * dim);
+    for normal in normals.rows() {
+        sectioned.push(normal);
+        if side.is_lt() {
+            let last = sectioned.len() - 1;
+            sectioned.row_mut(last)[axis] = normal[axis].negated();
         }
     }
-    Pair::from_normals(&Matrix::new(dim + 1), &normals)
+    let mut row = vec![T::default(); dim];
+    row[axis] = T::unit().negated();
+    sectioned.push(&row);
+    for other in (0..dim).filter(|other| *other != axis) {
+        for bound in [T::unit(), T::unit().negated()] {
+            row[other] = bound;
+            sectioned.push(&row);
+        }
+        row[other] = T::default();
+    }
+    Pair::from_normals(&Matrix::new(dim), &sectioned)
+}
+
+/// The pyramids from the apex over a section, as fractions of `1 / dim!`; none over a section without area.
+fn add_pyramids<T: Int>(section: &Pair<T>, axis: usize, pyramids: &mut Vec<(Z, Z)>) -> Result<(), Overflow> {
+    if section.dim() < section.ambient() {
+        return Ok(());
+    }
+    let vertices: Vec<Vec<Z>> = section.rays().rows().map(|ray| ray.iter().map(T::to_z).collect()).collect();
+    let on = incidence(section.facets(), section.rays())?;
+    let mut emit = |simplex: &[usize]| {
+        let matrix: Vec<Vec<Z>> = simplex.iter().map(|vertex| vertices[*vertex].clone()).collect();
+        let weight = simplex.iter().map(|vertex| &vertices[*vertex][axis]).product();
+        pyramids.push((determinant(matrix).abs(), weight));
+    };
+    triangulate(&on, &all(vertices.len()), &mut Vec::new(), &mut emit);
+    Ok(())
 }
 
 /// Calls `emit` with the vertices of each simplex of a triangulation of `face`: its first vertex joined to each of its
@@ -79,14 +116,6 @@ fn triangulate(on: &BitRows, face: &[u64], apexes: &mut Vec<usize>, emit: &mut i
 
 fn first(set: &[u64]) -> Option<usize> {
     set.iter().enumerate().find(|(_, word)| **word != 0).map(|(at, word)| at * 64 + word.trailing_zeros() as usize)
-}
-
-/// `|det|` of homogeneous vertices over the product of their last coordinates.
-fn pyramid(vertices: &[Vec<Z>], simplex: &[usize]) -> (Z, Z) {
-    let dim = simplex.len();
-    let matrix: Vec<Vec<Z>> = simplex.iter().map(|vertex| vertices[*vertex][..dim].to_vec()).collect();
-    let weight = simplex.iter().map(|vertex| &vertices[*vertex][dim]).product();
-    (determinant(matrix).abs(), weight)
 }
 
 /// Bareiss' fraction-free elimination.
