@@ -1,6 +1,6 @@
 //! Which directions of a plane of wrenches lie in a set: arcs between exact directions.
 
-use crate::cone::Cone;
+use crate::cone::HalfSpaces;
 use crate::exact::{Entries, Int, Overflow};
 use std::cmp::Ordering;
 
@@ -23,7 +23,7 @@ pub(super) struct Run<T> {
 }
 
 impl<T: Int> PlanarSet<T> {
-    pub(super) fn of(cells: &[Cone<T>], map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
+    pub(super) fn of(cells: &[HalfSpaces<T>], map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
         Ok(Self { parts: cells.iter().map(|cell| PlanarCone::of(cell, map)).collect::<Result<_, _>>()? })
     }
 
@@ -98,8 +98,7 @@ impl<T: Int> PlanarSet<T> {
 }
 
 impl<T: Int> PlanarCone<T> {
-    fn of(cone: &Cone<T>, map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
-        let system = cone.half_spaces()?;
+    fn of(system: &HalfSpaces<T>, map: &[Vec<T>; 2]) -> Result<Self, Overflow> {
         let mut conditions = Vec::new();
         let kinds = [(&system.equalities, Ordering::Equal, true), (&system.closed, Ordering::Less, true)];
         for (rows, side, closed) in kinds.into_iter().chain([(&system.strict, Ordering::Less, false)]) {

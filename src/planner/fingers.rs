@@ -2,7 +2,7 @@
 
 use super::directions::{PlanarSet, Run};
 use crate::answer::{Arc, ArcSet, EdgeFingers, FingerSet, Interval};
-use crate::cone::Cone;
+use crate::cone::{Cone, HalfSpaces};
 use crate::exact::{Int, Overflow, Q, Z, primitive_row};
 use crate::geometry::Polygon;
 use crate::model::{Part, Shape};
@@ -59,9 +59,10 @@ pub(super) fn finger_set<T: Int>(part: &Part, pushes: &Pushes, cells: &[Cone<T>]
         return arc_set(plane, cells).map(FingerSet::Arcs);
     }
     let Shape::Polygon(polygon) = &part.shape else { return Ok(FingerSet::Edges(Vec::new())) };
+    let systems = systems(cells)?;
     let mut edges = Vec::new();
     for (edge, plane) in pushes.edges.iter().enumerate() {
-        let runs = seen_from(plane, cells)?.runs_in_quadrant()?;
+        let runs = seen_from(plane, &systems)?.runs_in_quadrant()?;
         if !runs.is_empty() {
             let intervals = runs.iter().map(|run| interval(polygon, edge, run)).collect();
             edges.push(EdgeFingers { edge, intervals });
@@ -72,13 +73,17 @@ pub(super) fn finger_set<T: Int>(part: &Part, pushes: &Pushes, cells: &[Cone<T>]
 
 /// Directions of a plane whose wrenches are in a union of cones.
 pub(super) fn arc_set<T: Int>(plane: &[Vec<Z>; 2], cells: &[Cone<T>]) -> Result<ArcSet, Overflow> {
-    let (runs, all) = seen_from(plane, cells)?.runs_around()?;
+    let (runs, all) = seen_from(plane, &systems(cells)?)?.runs_around()?;
     let direction = |d: &[T; 2]| [d[0].to_z(), d[1].to_z()];
     let arcs = runs.iter().map(|run| Arc { from: direction(&run.from), to: direction(&run.to), closed: run.closed });
     Ok(ArcSet { all, arcs: arcs.collect() })
 }
 
-fn seen_from<T: Int>(plane: &[Vec<Z>; 2], cells: &[Cone<T>]) -> Result<PlanarSet<T>, Overflow> {
+fn systems<T: Int>(cells: &[Cone<T>]) -> Result<Vec<HalfSpaces<T>>, Overflow> {
+    cells.iter().map(Cone::half_spaces).collect()
+}
+
+fn seen_from<T: Int>(plane: &[Vec<Z>; 2], cells: &[HalfSpaces<T>]) -> Result<PlanarSet<T>, Overflow> {
     let narrow = |row: &[Z]| row.iter().map(|v| T::from_z(v).ok_or(Overflow)).collect::<Result<Vec<T>, _>>();
     PlanarSet::of(cells, &[narrow(&plane[0])?, narrow(&plane[1])?])
 }

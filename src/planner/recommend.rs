@@ -125,7 +125,7 @@ pub(super) fn recommend<T: Int>(
     Some(Recommendation { margin2: best.0, action: best.1, wrench: best.2 })
 }
 
-/// The place with the largest margin among eighths of the interval and then sixteenths about the best of them.
+/// The place with the largest margin among quarters of the interval, then eighths and sixteenths about the best so far.
 ///
 /// The margin of a place is that of its wrench, but no more than its distance from the ends of the edge over the radius
 /// of gyration: a finger must not slip off a corner either.
@@ -149,7 +149,8 @@ fn best_in_interval(
         (margin2, sixteenth, s, wrench)
     };
     let better = |best: (Q, i64, Q, [Q; 3]), other: (Q, i64, Q, [Q; 3])| if other.0 > best.0 { other } else { best };
-    let best = [6, 10, 4, 12, 2, 14].into_iter().map(place).fold(place(8), better);
+    let best = [4, 12].into_iter().map(place).fold(place(8), better);
+    let best = [best.1 - 2, best.1 + 2].into_iter().map(place).fold(best, better);
     let (margin2, _, s, wrench) = [best.1 - 1, best.1 + 1].into_iter().map(place).fold(best, better);
     let point = polygon.point(&polygon.location(edge, s.clone()));
     let direction = polygon.inward_normal(edge);

@@ -95,13 +95,14 @@ impl<T: Int> Sets<T> {
     pub(super) fn of(task: &Task) -> Result<Self, Overflow> {
         let contacts = on_rung::<T>(&task.contacts)?;
         let feasible = feasible_modes(&contacts)?;
+        let moving = moving_cones(&contacts, &feasible)?;
         let is_independent = are_independent(&contacts)?;
         Ok(Self {
             weak: balanced_cone(&contacts)?,
-            strong_holes: moving_cones(&contacts, &feasible)?,
+            refuting: refuting_cones(&contacts, &moving)?,
+            strong_holes: moving.into_iter().map(|(_, cone)| cone).collect(),
             goal_holes: is_independent.then(|| transition_cones(&contacts)).transpose()?,
             transitions: is_independent.then(|| Transitions::of(&contacts)).transpose()?,
-            refuting: refuting_cones(&contacts, &feasible)?,
             feasible: feasible.into_iter().map(Mode).collect(),
             asked: asked_modes(&contacts, task.question)?,
             contacts,
@@ -165,11 +166,14 @@ fn asked_modes<T: Int>(contacts: &[ContactRows<T>], question: &Question) -> Resu
 /// The cones of all feasible modes in which the seated part moves, formula (19).
 ///
 /// Contacts at a single point let `n..n` pivot about it, which is motion too.
-fn moving_cones<T: Int>(contacts: &[ContactRows<T>], feasible: &[Vec<Interaction>]) -> Result<Vec<Cone<T>>, Overflow> {
+fn moving_cones<T: Int>(
+    contacts: &[ContactRows<T>],
+    feasible: &[Vec<Interaction>],
+) -> Result<Vec<ModeCone<T>>, Overflow> {
     let rest = vec![Interaction::Roll; contacts.len()];
     let mut cones = Vec::new();
     for mode in feasible.iter().filter(|mode| **mode != rest) {
-        cones.extend(mode_cone(contacts, mode, true)?);
+        cones.extend(mode_cone(contacts, mode, true)?.map(|cone| (Mode(mode.clone()), cone)));
     }
     let fixed = acceleration_system(contacts, &rest, true);
     let still = Pair::from_normals(&fixed.equalities, &fixed.closed)?;
@@ -177,7 +181,8 @@ fn moving_cones<T: Int>(contacts: &[ContactRows<T>], feasible: &[Vec<Interaction
         let opposite: Vec<T> = pivot.iter().map(T::negated).collect();
         for strict in [pivot.to_vec(), opposite] {
             let system = HalfSpaces { strict: Matrix::from_rows(3, [strict]), ..fixed.clone() };
-            cones.extend(Cone::from_half_spaces_plus(&system, &force_rays(contacts, &rest))?);
+            let turning = Cone::from_half_spaces_plus(&system, &force_rays(contacts, &rest))?;
+            cones.extend(turning.map(|cone| (Mode(rest.clone()), cone)));
         }
     }
     Ok(cones)
@@ -221,18 +226,14 @@ fn are_independent<T: Int>(contacts: &[ContactRows<T>]) -> Result<bool, Overflow
 
 /// The cones of the wrenches under which an unseated part can rest on the contacts that it has (all but one at the most,
 /// at the largest static friction), or a contact of the seated part can break.
-fn refuting_cones<T: Int>(
-    contacts: &[ContactRows<T>],
-    feasible: &[Vec<Interaction>],
-) -> Result<Vec<Cone<T>>, Overflow> {
+fn refuting_cones<T: Int>(contacts: &[ContactRows<T>], moving: &[ModeCone<T>]) -> Result<Vec<Cone<T>>, Overflow> {
     let mut cones = Vec::new();
     for free in 0..contacts.len() {
         let others = contacts.iter().enumerate().filter(|(index, _)| *index != free);
         let rays = Matrix::from_rows(3, others.flat_map(|(_, contact)| &contact.static_forces));
         cones.push(Pair::from_generators(&Generators { lines: Matrix::new(3), rays })?.into());
     }
-    for mode in feasible.iter().filter(|mode| mode.contains(&Interaction::Separate)) {
-        cones.extend(mode_cone(contacts, mode, true)?);
-    }
+    let breaking = moving.iter().filter(|(mode, _)| mode.0.contains(&Interaction::Separate));
+    cones.extend(breaking.map(|(_, cone)| cone.clone()));
     Ok(cones)
 }
