@@ -1,5 +1,6 @@
 //! How a run ends.
 
+use partplan::cone::format::FormatError;
 use partplan::mechanics::ModeError;
 use std::io;
 use std::path::PathBuf;
@@ -31,6 +32,18 @@ pub enum Failure {
     /// A mode does not fit the case.
     #[error("error: {0}")]
     Mode(#[from] ModeError),
+    /// A polyhedron file is wrong.
+    #[error("error: {path}:{fault}")]
+    Polyhedron { path: String, fault: FormatError },
+    /// A file is too long.
+    #[error("error: {path} has more than {limit} bytes; raise the limit with --max-bytes")]
+    TooLong { path: String, limit: usize },
+    /// There is no such variable to project to.
+    #[error("error: there is no variable {variable} to keep; the file has {count}, numbered from 1")]
+    NoVariable { variable: usize, count: usize },
+    /// A variable is named twice.
+    #[error("error: variable {variable} is to be kept twice; name it once")]
+    VariableTwice { variable: usize },
     /// A drawing cannot be written.
     #[error("error: cannot write {}: {source}", path.display())]
     Picture { path: PathBuf, source: io::Error },

@@ -40,7 +40,7 @@ pub fn task(common: &Common) -> Result<Task, Failure> {
 }
 
 /// One byte more than the limit is enough to know that there are too many.
-fn bytes(path: &str, limit: usize) -> Result<Vec<u8>, Failure> {
+pub fn bytes(path: &str, limit: usize) -> Result<Vec<u8>, Failure> {
     let limit = u64::try_from(limit).unwrap_or(u64::MAX).saturating_add(1);
     let mut bytes = Vec::new();
     let read = if path == "-" {
@@ -55,7 +55,8 @@ fn bytes(path: &str, limit: usize) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn stem(path: &str) -> String {
+/// The name of a file without folders and extension.
+pub fn stem(path: &str) -> String {
     match Path::new(path).file_stem() {
         Some(stem) if path != "-" => stem.to_string_lossy().into_owned(),
         _ => "standard input".to_owned(),
