@@ -53,7 +53,8 @@ pub struct Args {
 }
 
 const EXAMPLE: &str = "\
-Lists of rows follow the matrix as comments and count from 1. Two rays are adjacent if they share an edge at infinity.
+Lists of rows follow the matrix as comments and count from 1. Adjacent are generators that span an edge and facets that
+share a ridge; edges and ridges at infinity count.
 
 Example: plan convert cases/corner.ine --adjacency";
 

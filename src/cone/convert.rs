@@ -11,7 +11,7 @@ use super::pair::Pair;
 use super::polyhedron::{Polyhedron, Representation};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb, primitive_row};
 use num_traits::{One as _, Zero as _};
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 /// A polyhedron computed from another one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,8 +20,9 @@ pub struct Converted {
     pub polyhedron: Polyhedron,
     /// Dimension of the smallest affine space around the polyhedron; `None` if it has no point.
     pub dimension: Option<usize>,
-    /// For each row the rows adjacent to it, from zero: facets that share a ridge, or generators that span an edge (two
-    /// rays: an edge at infinity). Linear rows have none.
+    /// For each row the rows adjacent to it, from zero: facets that share a ridge, or generators that span an edge. Edges
+    /// and ridges at infinity count: two rays may be adjacent, and parallel facets that share rays. Linear rows have
+    /// none.
     pub adjacency: Option<Vec<Vec<usize>>>,
     /// For each row the input rows, from zero, that it lies on.
     pub incidence: Option<Vec<Vec<usize>>>,
@@ -259,7 +260,7 @@ impl Job<'_> {
     fn kept<T: Int>(&self, cone: &Cone<T>, pair: &Pair<T>) -> Result<Converted, Overflow> {
         let on = incidence(&cone.others, pair.rays())?;
         let facets = incidence(pair.facets(), pair.rays())?;
-        let mut open: HashSet<&[u64]> = facets.rows().collect();
+        let mut open: HashMap<&[u64], usize> = facets.rows().enumerate().map(|(facet, on)| (on, facet)).collect();
         if self.representation() == Representation::Inequalities {
             open.remove(on.row(cone.others.len() - 1));
         }
@@ -271,8 +272,8 @@ impl Job<'_> {
             if count(on.row(row)) == pair.rays().len() && !is_zero(cone.others.row(row)) {
                 linear.push((source, cone.others.row(row)));
                 fates.implicit.push(source);
-            } else if open.remove(on.row(row)) {
-                facet_rows.push((source, row));
+            } else if let Some(facet) = open.remove(on.row(row)) {
+                facet_rows.push((source, facet));
             } else {
                 fates.redundant.push(source);
             }
@@ -296,8 +297,8 @@ impl Job<'_> {
         let rows = fates.kept.iter().map(|row| self.polyhedron.rows()[*row].clone()).collect();
         let mut converted = self.plain(rows, n_linear);
         if self.extras.adjacency {
-            let order: Vec<usize> = facet_rows.iter().map(|(_, row)| *row).collect();
-            converted.adjacency = Some(neighbors(&on, &order, n_linear, pair));
+            let order: Vec<usize> = facet_rows.iter().map(|(_, facet)| *facet).collect();
+            converted.adjacency = Some(neighbors(&facets, &order, n_linear, pair));
         }
         converted.fates = Some(fates);
         Ok(converted)
@@ -319,8 +320,8 @@ fn file_row<T: Int>(row: &[T], is_negated: bool) -> Vec<Q> {
 
 /// For each row of the answer the rows adjacent to it: no third row is on everything that both are on.
 ///
-/// `order` gives the set of each row after the linear ones; sets of no row of the answer (the side at infinity,
-/// redundant rows) are in the way all the same.
+/// `order` gives the set of each row after the linear ones; the side at infinity is no row of the answer, but in the way
+/// all the same.
 fn neighbors<T: Int>(on: &BitRows, order: &[usize], n_linear: usize, pair: &Pair<T>) -> Vec<Vec<usize>> {
     let needed = (pair.dim() - pair.lines().len()).saturating_sub(2);
     let mut lists = vec![Vec::new(); n_linear + order.len()];

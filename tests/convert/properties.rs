@@ -102,7 +102,7 @@ fn babble() -> impl Strategy<Value = String> {
         "name",
         "ä",
     ];
-    vec(select(&words[..]), 0..40).prop_map(|words| words.join(" "))
+    vec(select(words.to_vec()), 0..40).prop_map(|words| words.join(" "))
 }
 
 proptest! {
@@ -193,8 +193,7 @@ proptest! {
                     common.push(origin.clone());
                 }
                 let is_ridge = rank(&common) + n_equalities + 2 == polyhedron.columns();
-                let is_at_infinity = common.iter().all(|row| row[0] == int(0));
-                prop_assert_eq!(adjacency[a].contains(&b), is_ridge && !is_at_infinity, "{} {}", a, b);
+                prop_assert_eq!(adjacency[a].contains(&b), is_ridge, "{} {}", a, b);
             }
         }
     }
