@@ -53,14 +53,14 @@ pub struct Args {
 }
 
 const EXAMPLE: &str = "\
-Lists of rows follow the matrix as comments and count from 1. Adjacent are generators that span an edge and facets that
-share a ridge; edges and ridges at infinity count.
+Lists of rows follow the matrix as comments and count from 1. Generators that span an edge are
+adjacent, and facets that share a ridge; edges and ridges at infinity count.
 
 Example: plan convert cases/corner.ine --adjacency";
 
 /// Converts a polyhedron.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let bytes = input::bytes(&args.file, args.max_bytes)?;
+    let bytes = input::bytes(&args.file, args.max_bytes, "cube.ine")?;
     let shown = if args.file == "-" { "standard input" } else { &args.file };
     if bytes.len() > args.max_bytes {
         return Err(Failure::TooLong { path: shown.to_owned(), limit: args.max_bytes });

@@ -27,8 +27,8 @@ pub enum Failure {
     #[error("error: cannot read {path}: {source}")]
     Read { path: String, source: io::Error },
     /// A folder was given.
-    #[error("error: {path} is a folder; give one case file, for example {path}/part.json")]
-    Folder { path: String },
+    #[error("error: {path} is a folder; give one file, for example {path}/{example}")]
+    Folder { path: String, example: &'static str },
     /// A mode does not fit the case.
     #[error("error: {0}")]
     Mode(#[from] ModeError),
@@ -84,6 +84,6 @@ mod tests {
         assert_eq!(status(Ok(Outcome::Undecided)), code(3));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::BrokenPipe.into()))), code(0));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::StorageFull.into()))), code(2));
-        assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned() })), code(2));
+        assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned(), example: "part.json" })), code(2));
     }
 }

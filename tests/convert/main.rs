@@ -1,6 +1,7 @@
 //! Polyhedron files: reading and writing, conversion, redundancy, adjacency, incidence, projection.
 
 mod answers;
+mod command;
 mod draw;
 mod faults;
 mod files;
@@ -12,6 +13,7 @@ use partplan::cone::format::read;
 use partplan::cone::{Converted, Extras, Polyhedron, convert};
 use partplan::exact::Q;
 
+/// Rows and nothing else.
 pub const PLAIN: Extras = Extras { adjacency: false, incidence: false };
 
 /// The polyhedron of a text that must be right.
