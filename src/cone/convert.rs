@@ -292,13 +292,19 @@ impl Job<'_> {
             fates.kept.push(source);
         }
         fates.redundant.sort_unstable();
-        let n_linear = fates.kept.len();
+        let mut n_linear = fates.kept.len();
         fates.kept.extend(facet_rows.iter().map(|(source, _)| *source));
+        if fates.kept.is_empty() && self.representation() == Representation::Generators {
+            // zero rows only: without the last of them the origin would be gone
+            fates.redundant.retain(|row| *row != 0);
+            fates.kept.push(0);
+            n_linear = usize::from(self.polyhedron.is_linear(0));
+        }
         let rows = fates.kept.iter().map(|row| self.polyhedron.rows()[*row].clone()).collect();
         let mut converted = self.plain(rows, n_linear);
         if self.extras.adjacency {
             let order: Vec<usize> = facet_rows.iter().map(|(_, facet)| *facet).collect();
-            converted.adjacency = Some(neighbors(&facets, &order, n_linear, pair));
+            converted.adjacency = Some(neighbors(&facets, &order, fates.kept.len() - order.len(), pair));
         }
         converted.fates = Some(fates);
         Ok(converted)

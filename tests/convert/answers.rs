@@ -106,6 +106,21 @@ fn rays_and_lines_without_a_point_start_at_the_origin() {
 }
 
 #[test]
+fn the_last_zero_ray_stands_for_the_origin() {
+    for (linearity, linear) in [("", &[][..]), ("linearity 2 1 2\n", &[0][..])] {
+        let zeros = polyhedron(&format!("V-representation\n{linearity}begin\n2 2 integer\n0 0\n0 0\nend"));
+        let found = without_redundancy(&zeros, BOTH);
+        assert_eq!((words(found.polyhedron.rows()), found.polyhedron.linear()), (vec!["0 0".into()], linear));
+        assert_eq!(
+            (found.dimension, found.adjacency, found.fates.unwrap().redundant),
+            (Some(0), Some(vec![vec![]]), vec![1])
+        );
+        assert_eq!(words(convert(&found.polyhedron, PLAIN).polyhedron.rows()), ["0 1"]);
+        assert_eq!(words(canonical(&zeros, PLAIN).polyhedron.rows()), ["1 0"]);
+    }
+}
+
+#[test]
 fn the_whole_space_has_no_inequalities() {
     let space = converted("H-representation\nbegin\n0 3 integer\nend");
     assert_eq!(words(space.polyhedron.rows()), ["0 1 0", "0 0 1", "1 0 0"]);

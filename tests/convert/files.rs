@@ -10,24 +10,29 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Files whose way back takes double description through far more rays than either end has.
-const ONE_WAY: [&str; 19] = [
+const ONE_WAY: [&str; 24] = [
     "classic/cyccen20_8.ext",
     "classic/cyccen30_6.ext",
     "classic/cyclic20_6.ext",
     "classic/cyclic20_8.ext",
     "classic/cyclic30_6.ext",
+    "classic/cyclic40_6.ext",
     "classic/kq16_8.ine",
     "classic/kq20_10.ine",
     "classic/rhp6_40.ine",
+    "classic/rhp7_40.ine",
     "classic/rnd01_9_40.ext",
     "classic/rsph4_200.ext",
     "classic/rsph5_40.ext",
     "classic/rsph6_40.ext",
+    "classic/rsph7_40.ext",
+    "classic/rsph8_30.ext",
     "coeff/ci8_18_b100.ine",
     "coeff/ci8_18_b200.ine",
     "coeff/ci8_18_b31.ine",
     "coeff/ci8_18_b62.ine",
     "degenerate/cutcone6.ext",
+    "degenerate/metpol6.ine",
     "degenerate/transp4x5.ine",
     "wrench6/w6_n5_k12.ext",
 ];
@@ -119,7 +124,9 @@ fn every_file_of_the_folder_is_expected() {
 
 #[test]
 fn dropping_redundant_rows_of_public_files_keeps_the_polyhedron() {
-    for (name, _) in expected().iter().filter(|(name, _)| !name.starts_with("classic")) {
+    for (name, _) in
+        expected().iter().filter(|(name, _)| !(name.starts_with("classic") || ONE_WAY.contains(&name.as_str())))
+    {
         let given = file(name);
         let found = without_redundancy(&given, PLAIN);
         assert_eq!(canonical(&found.polyhedron, PLAIN), canonical(&given, PLAIN), "{name}");

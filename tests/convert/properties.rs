@@ -214,10 +214,11 @@ proptest! {
     }
 }
 
-/// Rows of the minimal form, less the origin if the file leaves it unsaid.
+/// Rows of the minimal form, less the origin if the file leaves it unsaid beside a ray or line.
 fn without_origin(given: &Polyhedron, minimal: &Polyhedron) -> usize {
     let is_unsaid = given.representation() == Representation::Generators
         && !given.rows().is_empty()
         && given.rows().iter().all(|row| row[0] == int(0));
-    minimal.rows().len() - usize::from(is_unsaid)
+    let rows = minimal.rows().len();
+    if is_unsaid { rows.max(2) - 1 } else { rows }
 }
