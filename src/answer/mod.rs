@@ -1,7 +1,9 @@
 //! What the planners return: data only, exact, ready to be checked and reported.
 
 mod insert;
+mod polyhedron;
 mod region;
 
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};
+pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};

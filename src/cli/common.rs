@@ -101,12 +101,13 @@ impl When {
     }
 }
 
-/// Reads `fx,fy,torque`.
-fn seconds(text: &str) -> Result<Duration, String> {
+/// Reads a time limit.
+pub fn seconds(text: &str) -> Result<Duration, String> {
     let number: f64 = text.parse().map_err(|_| "expected a number of seconds, 0.5 or 60 for instance".to_owned())?;
     Duration::try_from_secs_f64(number).map_err(|_| "a time is not negative and not endless".to_owned())
 }
 
+/// Reads `fx,fy,torque`.
 fn wrench(text: &str) -> Result<[Q; 3], WrenchError> {
     let numbers: Vec<&str> = text.split(',').map(str::trim).collect();
     let count = numbers.len();

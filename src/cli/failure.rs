@@ -1,5 +1,6 @@
 //! How a run ends.
 
+use partplan::cone::format::FormatError;
 use partplan::mechanics::ModeError;
 use std::io;
 use std::path::PathBuf;
@@ -26,11 +27,23 @@ pub enum Failure {
     #[error("error: cannot read {path}: {source}")]
     Read { path: String, source: io::Error },
     /// A folder was given.
-    #[error("error: {path} is a folder; give one case file, for example {path}/part.json")]
-    Folder { path: String },
+    #[error("error: {path} is a folder; give one file, for example {path}/{example}")]
+    Folder { path: String, example: &'static str },
     /// A mode does not fit the case.
     #[error("error: {0}")]
     Mode(#[from] ModeError),
+    /// A polyhedron file is wrong.
+    #[error("error: {path}:{fault}")]
+    Polyhedron { path: String, fault: FormatError },
+    /// A file is too long.
+    #[error("error: {path} has more than {limit} bytes; raise the limit with --max-bytes")]
+    TooLong { path: String, limit: usize },
+    /// There is no such variable to project to.
+    #[error("error: there is no variable {variable} to keep; the file has {count}, numbered from 1")]
+    NoVariable { variable: usize, count: usize },
+    /// A variable is named twice.
+    #[error("error: variable {variable} is to be kept twice; name it once")]
+    VariableTwice { variable: usize },
     /// A drawing cannot be written.
     #[error("error: cannot write {}: {source}", path.display())]
     Picture { path: PathBuf, source: io::Error },
@@ -71,6 +84,6 @@ mod tests {
         assert_eq!(status(Ok(Outcome::Undecided)), code(3));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::BrokenPipe.into()))), code(0));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::StorageFull.into()))), code(2));
-        assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned() })), code(2));
+        assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned(), example: "part.json" })), code(2));
     }
 }

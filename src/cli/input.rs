@@ -28,7 +28,7 @@ impl Task {
 /// Reads the case, says its warnings on standard error, and looks for its `insert` section.
 pub fn task(common: &Common) -> Result<Task, Failure> {
     let shown = if common.case == "-" { "standard input" } else { &common.case };
-    let bytes = bytes(&common.case, common.max_bytes)?;
+    let bytes = bytes(&common.case, common.max_bytes, "part.json")?;
     let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
     let mut case = case::read(&bytes, &common.limits()).map_err(|faults| refuse(&faults))?;
     let fixture = case.fixture.take().ok_or_else(|| refuse(&[case::missing_section("insert")]))?;
@@ -40,14 +40,16 @@ pub fn task(common: &Common) -> Result<Task, Failure> {
 }
 
 /// One byte more than the limit is enough to know that there are too many.
-fn bytes(path: &str, limit: usize) -> Result<Vec<u8>, Failure> {
+///
+/// `example` names a file that could be meant where a folder is given.
+pub fn bytes(path: &str, limit: usize, example: &'static str) -> Result<Vec<u8>, Failure> {
     let limit = u64::try_from(limit).unwrap_or(u64::MAX).saturating_add(1);
     let mut bytes = Vec::new();
     let read = if path == "-" {
         io::stdin().lock().take(limit).read_to_end(&mut bytes)
     } else {
         if Path::new(path).is_dir() {
-            return Err(Failure::Folder { path: path.trim_end_matches('/').to_owned() });
+            return Err(Failure::Folder { path: path.trim_end_matches('/').to_owned(), example });
         }
         File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
     };
@@ -55,7 +57,8 @@ fn bytes(path: &str, limit: usize) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn stem(path: &str) -> String {
+/// The name of a file without folders and extension.
+pub fn stem(path: &str) -> String {
     match Path::new(path).file_stem() {
         Some(stem) if path != "-" => stem.to_string_lossy().into_owned(),
         _ => "standard input".to_owned(),

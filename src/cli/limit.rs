@@ -2,11 +2,13 @@
 
 use super::common::Common;
 use super::input::Task;
+use super::output::Format;
 use super::{Failure, Outcome, output};
 use partplan::mechanics::{Mode, ModeError};
 use partplan::model::{Fixture, Part};
 use partplan::planner::Question;
 use partplan::report::json;
+use serde_json::Value;
 use std::io::Write;
 use std::panic::resume_unwind;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -29,16 +31,26 @@ pub fn plan<A: Send + 'static>(
     if let Some(answer) = within(common.time_limit, move || planner(&part, &fixture, &question)) {
         return Ok(Some(answer?));
     }
-    let said = format!("undecided: no answer within {} s; --time-limit allows more\n", common.time_limit.as_secs_f64());
-    output::answer(out, common.format, || said, || json::undecided(&task.subject(), schema))?;
+    say_over(common.time_limit, common.format, || json::undecided(&task.subject(), schema), out)?;
     Ok(None)
+}
+
+/// Says that the time is over.
+pub fn say_over(
+    limit: Duration,
+    format: Format,
+    document: impl FnOnce() -> Value,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let said = || format!("undecided: no answer within {} s; --time-limit allows more\n", limit.as_secs_f64());
+    output::answer(out, format, said, document)
 }
 
 /// How a run without an answer ends.
 pub const OVER: Outcome = Outcome::Undecided;
 
 /// Runs `work` on a thread of its own and waits for it no longer than `limit`; the process ends soon after.
-fn within<T: Send + 'static>(limit: Duration, work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
+pub fn within<T: Send + 'static>(limit: Duration, work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
     let (done, wait) = channel();
     let worker = thread::spawn(move || done.send(work()));
     match wait.recv_timeout(limit) {

@@ -2,6 +2,7 @@
 
 mod common;
 mod cone;
+mod convert;
 mod failure;
 mod input;
 mod insert;
@@ -33,6 +34,7 @@ enum Command {
     Insert(insert::Args),
     Stable(stable::Args),
     Cone(cone::Args),
+    Convert(convert::Args),
 }
 
 impl Cli {
@@ -45,6 +47,7 @@ impl Cli {
             Command::Insert(args) => insert::run(args, out),
             Command::Stable(args) => stable::run(args, out),
             Command::Cone(args) => cone::run(args, out),
+            Command::Convert(args) => convert::run(args, out),
         }
     }
 }

@@ -4,9 +4,12 @@
 //! missing from it. Everything is generic over the integer ([`crate::exact::Int`]) and exact: an operation either
 //! returns the right answer or [`Overflow`](crate::exact::Overflow), and then runs again on wider integers.
 //!
-//! Sign convention everywhere: a face normal `h` of a cone satisfies `h · x ≤ 0` on it.
+//! Sign convention everywhere: a face normal `h` of a cone satisfies `h · x ≤ 0` on it. Polyhedra ([`Polyhedron`]) keep that of their files, `b + a · x ≥ 0`.
+
+pub mod format;
 
 mod bits;
+mod convert;
 mod cut;
 mod difference;
 mod faces;
@@ -14,9 +17,12 @@ mod lattice;
 mod linear;
 mod nnc;
 mod pair;
+mod polyhedron;
 mod volume;
 
-pub use difference::{complement, split, subtract};
+pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
+pub use difference::{Split, complement, split, subtract};
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};
+pub use polyhedron::{Polyhedron, Representation};
 pub use volume::volume_in_box;

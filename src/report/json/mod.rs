@@ -2,9 +2,11 @@
 
 mod layout;
 mod number;
+mod polyhedron;
 mod sets;
 
 pub use layout::document;
+pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};

@@ -3,8 +3,10 @@
 mod cone;
 mod insert;
 mod lines;
+mod polyhedron;
 mod stable;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;
+pub use polyhedron::polyhedron_notes;
 pub use stable::stability;
