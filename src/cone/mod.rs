@@ -12,11 +12,13 @@ mod difference;
 mod faces;
 mod lattice;
 mod linear;
+mod nearest;
 mod nnc;
 mod pair;
 mod volume;
 
 pub use difference::{complement, split, subtract};
+pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};
 pub use volume::volume_in_box;
