@@ -3,5 +3,5 @@
 mod insert;
 mod region;
 
-pub use insert::{Action, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};
+pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
