@@ -277,7 +277,9 @@ mod tests {
         assert_eq!(degrees_at_least(&ratio(1, 4)), "28.6");
         assert_eq!(arcsine_at_least(&ratio(1, 9)), "19.4");
         let angles = [(0, "0"), (1, "30"), (2, "45"), (3, "60"), (4, "90")];
-        angles.map(|(quarters, angle)| assert_eq!(arcsine_at_least(&ratio(quarters, 4)), angle));
+        for (quarters, angle) in angles {
+            assert_eq!(arcsine_at_least(&ratio(quarters, 4)), angle);
+        }
     }
 
     #[test]
