@@ -8,6 +8,7 @@ use partplan::exact::{Q, from_float_exact, ratio, to_f64};
 use partplan::geometry::Polygon;
 use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
 use partplan::planner::{Question, insertion, mode_cones};
+use partplan::report::{Subject, json};
 use proptest::prelude::*;
 use support::cases::{FOUR, NAMES, expected, number, seated, wrench_of};
 use support::member::rational;
@@ -103,6 +104,23 @@ fn the_public_cases_agree_with_an_independent_search() {
         assert!(covers(&ours.radius_upper, &number(&theirs["radius2"])), "{name}");
         assert_eq!(radius2(&setup, &holes(&setup), &wrench_of(&theirs["w"])), number(&theirs["radius2"]), "{name}");
     }
+}
+
+#[test]
+fn the_document_names_the_wrench_its_radius_and_the_bound() {
+    let (part, fixture) = seated("n2_disc_fig5");
+    let answer = insertion(&part, &fixture, &Question::default()).expect("no modes are asked for");
+    let subject = Subject { name: "disc", part: &part, fixture: &fixture, warnings: &[] };
+    let shown = &json::insertion(&subject, &answer, false)["result"]["robust"];
+    assert_eq!((&shown["w"], &shown["radius2"]), (&serde_json::json!([0, -1, 0]), &serde_json::json!("1/50")));
+    assert_eq!(shown["radius"].as_f64(), Some(0.02_f64.sqrt()));
+    let upper = shown["radius_upper"].as_f64().expect("a decimal");
+    assert!((0.0..=Robust::TOLERANCE).contains(&(upper - 0.02_f64.sqrt())), "{upper}");
+
+    let (part, fixture) = seated(FOUR);
+    let answer = insertion(&part, &fixture, &Question::default()).expect("no modes are asked for");
+    let subject = Subject { name: "square", part: &part, fixture: &fixture, warnings: &[] };
+    assert!(json::insertion(&subject, &answer, false)["result"]["robust"].is_null());
 }
 
 /// A square about the origin with side 2, fixels of one friction inside edges at the given places.
