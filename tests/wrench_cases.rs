@@ -25,8 +25,8 @@ fn documents(name: &str, expected: &Value) -> Documents {
         expected[key].as_object().unwrap().keys().map(|mode| mode.parse().unwrap()).collect()
     };
     let wrenches = expected["wrenches"].as_array().unwrap().iter().map(|entry| wrench_of(&entry["g"])).collect();
-    let question = Question { wrenches, modes: modes("modes"), strict_s: false };
-    let strict = Question { wrenches: vec![], modes: modes("modes_strict_s"), strict_s: true };
+    let question = Question { wrenches, modes: modes("modes"), robust: true, ..Question::default() };
+    let strict = Question { modes: modes("modes_strict_s"), strict_s: true, ..Question::default() };
     let cones = |question: &Question| json::cones(&subject, &mode_cones(&case.part, &fixture, question).unwrap());
     Documents {
         insert: json::insertion(&subject, &insertion(&case.part, &fixture, &question).unwrap(), false),

@@ -27,6 +27,9 @@ pub struct Insertion {
     pub acyclic_tilt: ArcSet,
     /// The push or tilt with the largest margin inside `acyclic`, when there is one.
     pub plan: Option<Recommendation>,
+    /// The wrench with the largest relative margin in `goal`, however it may be applied; `None` if there is none or it
+    /// was not asked for.
+    pub robust: Option<Robust>,
     /// Verdicts on the wrenches that were asked about.
     pub wrenches: Vec<WrenchVerdict>,
     /// Cones of the modes that were asked for, in the order asked.
@@ -90,6 +93,27 @@ pub struct Recommendation {
     /// the wrench in the set, and a finger on an edge is at least ρ times the margin from the edge's ends. Norm: fx² +
     /// fy² + torque² / ρ² with ρ the radius of gyration.
     pub margin2: Q,
+}
+
+/// The center of the largest ball of wrenches inside a set, relative to its distance from zero.
+///
+/// Norm: fx² + fy² + torque² / ρ² with ρ the radius of gyration, up to the mass the norm of the acceleration in the
+/// metric of kinetic energy.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Robust {
+    /// A wrench within [`Robust::TOLERANCE`] of the best direction's relative radius; coprime integers.
+    pub wrench: [Q; 3],
+    /// Exact square of the radius of the largest open ball about `wrench` inside the set, over the squared length of
+    /// `wrench`; at most 1, for zero is in no set that guarantees anything.
+    pub radius2: Q,
+    /// Certified upper bound on the relative radius about any wrench.
+    pub radius_upper: Q,
+}
+
+impl Robust {
+    /// What `wrench` may fall short of the best relative radius, unless the search reaches its limit first; then
+    /// `radius_upper` is farther above and still holds.
+    pub const TOLERANCE: f64 = 1e-6;
 }
 
 /// How a wrench is applied.

@@ -4,6 +4,6 @@ mod insert;
 mod polyhedron;
 mod region;
 
-pub use insert::{Action, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};
+pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};

@@ -15,6 +15,7 @@ mod difference;
 mod faces;
 mod lattice;
 mod linear;
+mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
@@ -22,6 +23,7 @@ mod volume;
 
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
 pub use difference::{Split, complement, split, subtract};
+pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};
 pub use polyhedron::{Polyhedron, Representation};

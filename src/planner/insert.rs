@@ -2,6 +2,7 @@
 
 use super::fingers::{arc_set, finger_set, tilt_plane};
 use super::recommend::{Margins, recommend};
+use super::robust::robust;
 use super::sets::{Question, Sets, Task};
 use super::to_answer::region_answer;
 use super::transitions::Verdict;
@@ -60,6 +61,7 @@ impl Ladder for Inserting<'_> {
             acyclic_tilt,
             wrenches: sets.verdicts(task.question)?,
             modes: sets.asked_cones(),
+            robust: if task.question.robust { robust(&holes, &goal, &task.part.gyration2())? } else { None },
         })
     }
 }

@@ -4,6 +4,7 @@ mod directions;
 mod fingers;
 mod insert;
 mod recommend;
+mod robust;
 mod sets;
 mod stability;
 mod to_answer;

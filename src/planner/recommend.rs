@@ -15,7 +15,7 @@ use std::cmp::Ordering;
 /// half-spaces, whose distance is `h · g` over the dual norm of `h`.
 pub(super) struct Margins {
     holes: Vec<Vec<Condition>>,
-    rho2: Q,
+    pub(super) rho2: Q,
 }
 
 /// A normal `h` and its squared dual norm hx² + hy² + ρ² ht², times the denominator of ρ².
@@ -48,6 +48,12 @@ impl Margins {
             pair.facets().rows().map(exact).chain(sides).map(condition).collect()
         };
         Self { holes: holes.map(conditions).collect(), rho2 }
+    }
+
+    /// Lower bound on the squared distance of the integer wrench `row` from cone number `hole`.
+    pub(super) fn distance2(&self, hole: usize, row: &[Z]) -> Q {
+        let Fraction { numerator, denominator } = farthest(&self.holes[hole], row);
+        Q::new(numerator * self.rho2.denom(), denominator)
     }
 
     /// Lower bound on the squared distance of `wrench` from the nearest cone, over its squared length.

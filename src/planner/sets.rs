@@ -21,6 +21,8 @@ pub struct Question {
     pub modes: Vec<Mode>,
     /// Whether the letter `s` of those modes means `a_n > 0` rather than `a_n ≥ 0`.
     pub strict_s: bool,
+    /// Whether the most robust wrench is wanted: a search that costs as much as all the rest of a plan.
+    pub robust: bool,
 }
 
 /// The cones of the modes asked for, in the order asked.

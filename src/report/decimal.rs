@@ -62,9 +62,30 @@ pub(super) fn sweep(arc: &Arc) -> f64 {
 
 /// A certified lower bound of `sqrt(square)` in percent, with three digits.
 pub(super) fn percent_at_least(square: &Q) -> String {
-    let percent2 = square * Q::from(Z::from(10_000));
-    match Step::hundredth_of(to_f64(&percent2).sqrt()) {
-        Some(step) => step.show(&step.root_below(&percent2, true)),
+    root_at_least(&(square * Q::from(Z::from(10_000))))
+}
+
+/// A certified lower bound of `sqrt(square)` with three digits.
+pub(super) fn root_at_least(square: &Q) -> String {
+    match Step::hundredth_of(to_f64(square).sqrt()) {
+        Some(step) => step.show(&step.root_below(square, true)),
+        None => "0".to_owned(),
+    }
+}
+
+/// Radians in degrees, rounded down to three digits; `square` is that of the angle.
+pub(super) fn degrees_at_least(square: &Q) -> String {
+    // (180 / π)² = 3282.80635...
+    root_at_least(&(square * Q::new(Z::from(328_280), Z::from(100))))
+}
+
+/// The angle whose sine is `sqrt(square)` in degrees, rounded down to three digits.
+pub(super) fn arcsine_at_least(square: &Q) -> String {
+    let angle = to_f64(square).sqrt().min(1.0).asin().to_degrees();
+    // the squares whose angles have a rational number of degrees (Niven)
+    let is_exact = (square * Q::from(Z::from(4))).is_integer();
+    match Step::hundredth_of(angle) {
+        Some(step) => step.show(&step.inside(angle, is_exact, true, -1.0)),
         None => "0".to_owned(),
     }
 }
@@ -252,6 +273,13 @@ mod tests {
         assert_eq!(percent_at_least(&ratio(1, 50)), "14.1");
         assert_eq!(percent_at_least(&ratio(1, 4)), "50");
         assert_eq!(percent_at_least(&ratio(0, 1)), "0");
+        // 180 / 2π = 28.647..., asin(1/3) = 19.471...
+        assert_eq!(degrees_at_least(&ratio(1, 4)), "28.6");
+        assert_eq!(arcsine_at_least(&ratio(1, 9)), "19.4");
+        let angles = [(0, "0"), (1, "30"), (2, "45"), (3, "60"), (4, "90")];
+        for (quarters, angle) in angles {
+            assert_eq!(arcsine_at_least(&ratio(quarters, 4)), angle);
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod difference;
 mod draw;
 mod integers;
 mod naive;
+mod nearest;
 mod pitfalls;
 mod polyhedra;
 mod rungs;

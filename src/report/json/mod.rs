@@ -9,7 +9,7 @@ pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 
 use super::Subject;
-use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Stability, WrenchVerdict};
+use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 use crate::exact::to_f64;
 use number::{integers, rational, rationals};
 use serde_json::{Map, Value, json};
@@ -45,6 +45,7 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
         "tilt".into(),
         json!({ "goal": sets::arc_set(&answer.goal_tilt), "acyclic": sets::arc_set(&answer.acyclic_tilt) }),
     );
+    result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));
@@ -176,6 +177,15 @@ fn plan(plan: &Recommendation) -> Value {
     value["margin2"] = rational(&plan.margin2);
     value["margin_approx"] = json!(to_f64(&plan.margin2).sqrt());
     value
+}
+
+fn robust(robust: &Robust) -> Value {
+    json!({
+        "w": rationals(&robust.wrench),
+        "radius2": rational(&robust.radius2),
+        "radius": to_f64(&robust.radius2).sqrt(),
+        "radius_upper": to_f64(&robust.radius_upper),
+    })
 }
 
 fn empty_because(reason: &EmptyReason) -> Value {

@@ -54,6 +54,7 @@ fn answer(plan: Option<Action>) -> Insertion {
         }),
         wrenches: Vec::new(),
         modes: Vec::new(),
+        robust: None,
     }
 }
 

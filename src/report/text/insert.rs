@@ -3,7 +3,7 @@
 use super::super::decimal::{self, near, percent};
 use super::super::{Subject, phrase};
 use super::lines::Report;
-use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation};
+use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation, Robust};
 use crate::exact::{Z, to_f64};
 
 /// The answer, how to apply it, and what else would do.
@@ -12,6 +12,9 @@ pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
     let mut report = Report::new(&phrase::insertion(subject, answer));
     if let Some(plan) = &answer.plan {
         recommend(&mut report, subject, plan);
+    }
+    if let Some(robust) = &answer.robust {
+        most_robust(&mut report, subject, robust);
     }
     if let Some(reason) = &answer.empty_because {
         explain(&mut report, reason);
@@ -50,6 +53,43 @@ fn recommend(report: &mut Report, subject: &Subject, plan: &Recommendation) {
         &format!(
             "at least {} % of it in any direction (torque counted over {rho} {unit})",
             decimal::percent_at_least(&plan.margin2)
+        ),
+    );
+    report.line("", &margin_means(subject, plan));
+}
+
+/// What the margin allows of one error at a time.
+fn margin_means(subject: &Subject, plan: &Recommendation) -> String {
+    let (rho2, unit) = (subject.part.gyration2(), subject.part.unit.symbol());
+    let shift = decimal::root_at_least(&(&plan.margin2 * &rho2));
+    let turn = decimal::arcsine_at_least(&plan.margin2);
+    match &plan.action {
+        Action::PushEdge { point, .. } => {
+            // turned by φ about its point at arm p, a push f changes by at most φ |f| sqrt(1 + p²/ρ²)
+            let [fx, fy, torque] = &plan.wrench;
+            let arm = [0, 1].map(|axis| &point[axis] - &subject.part.center_of_mass[axis]);
+            let of_wrench = &rho2 + torque * torque / (fx * fx + fy * fy);
+            let of_turn = &rho2 + &arm[0] * &arm[0] + &arm[1] * &arm[1];
+            let turn = decimal::degrees_at_least(&(&plan.margin2 * of_wrench / of_turn));
+            format!("so {shift} {unit} along the edge, or {turn} deg about the point")
+        }
+        Action::PushArc { .. } => format!("so {shift} {unit} off its line"),
+        Action::Tilt { .. } => format!("so {turn} deg of tilt, or {shift} {unit} between gravity and center of mass"),
+        Action::Wrench => format!("so {turn} deg of its force, or {shift} {unit} off its line"),
+    }
+}
+
+/// The largest margin that any wrench has of those under which every transition adds a contact.
+fn most_robust(report: &mut Report, subject: &Subject, robust: &Robust) {
+    let shift = decimal::root_at_least(&(&robust.radius2 * subject.part.gyration2()));
+    report.line(
+        "robust",
+        &format!(
+            "up to {} % by the wrench {}: {} deg of its force or {shift} {} off its line",
+            decimal::percent_at_least(&robust.radius2),
+            phrase::tuple(&robust.wrench),
+            decimal::arcsine_at_least(&robust.radius2),
+            subject.part.unit.symbol(),
         ),
     );
 }
