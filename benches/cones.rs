@@ -49,6 +49,13 @@ fn insertion_of_three(bencher: Bencher) {
 }
 
 #[divan::bench]
+fn insertion_of_three_with_robust(bencher: Bencher) {
+    let (part, fixture) = pawl();
+    let question = Question { robust: true, ..Question::default() };
+    bencher.bench_local(|| insertion(black_box(&part), &fixture, &question));
+}
+
+#[divan::bench]
 fn stability_of_three(bencher: Bencher) {
     let (part, fixture) = pawl();
     bencher.bench_local(|| stability(black_box(&part), &fixture, &Question::default()));

@@ -33,7 +33,7 @@ pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow>
     for axis in 0..dim {
         for side in [Ordering::Greater, Ordering::Less] {
             if reaches(cone.closure(), axis, side) {
-                add_pyramids(&section(&normals, axis, side)?, axis, &mut pyramids)?;
+                pyramids.extend(pyramid(&section(&normals, axis, side)?, axis)?);
             }
         }
     }
@@ -83,20 +83,26 @@ fn section<T: Int>(normals: &Matrix<T>, axis: usize, side: Ordering) -> Result<P
     Pair::from_normals(&Matrix::new(dim), &sectioned)
 }
 
-/// The pyramids from the apex over a section, as fractions of `1 / dim!`; none over a section without area.
-fn add_pyramids<T: Int>(section: &Pair<T>, axis: usize, pyramids: &mut Vec<(Z, Z)>) -> Result<(), Overflow> {
+/// The pyramid from the apex over a section, as a fraction of `1 / dim!`; `None` over a section without area.
+///
+/// It is the sum of the simplices' `|det|` over the product of their weights; here over the weights of all vertices, each
+/// taken once, so that the fraction stays short.
+fn pyramid<T: Int>(section: &Pair<T>, axis: usize) -> Result<Option<(Z, Z)>, Overflow> {
     if section.dim() < section.ambient() {
-        return Ok(());
+        return Ok(None);
     }
     let vertices: Vec<Vec<Z>> = section.rays().rows().map(|ray| ray.iter().map(T::to_z).collect()).collect();
     let on = incidence(section.facets(), section.rays())?;
-    let mut emit = |simplex: &[usize]| {
+    let mut numerator = Z::zero();
+    let mut add = |simplex: &[usize]| {
         let matrix: Vec<Vec<Z>> = simplex.iter().map(|vertex| vertices[*vertex].clone()).collect();
-        let weight = simplex.iter().map(|vertex| &vertices[*vertex][axis]).product();
-        pyramids.push((determinant(matrix).abs(), weight));
+        let others = (0..vertices.len()).filter(|vertex| !simplex.contains(vertex));
+        let weight: Z = others.map(|vertex| &vertices[vertex][axis]).product();
+        numerator += determinant(matrix).abs() * weight;
     };
-    triangulate(&on, &all(vertices.len()), &mut Vec::new(), &mut emit);
-    Ok(())
+    triangulate(&on, &all(vertices.len()), &mut Vec::new(), &mut add);
+    let denominator = vertices.iter().map(|vertex| &vertex[axis]).product();
+    Ok(Some((numerator, denominator)))
 }
 
 /// Calls `emit` with the vertices of each simplex of a triangulation of `face`: its first vertex joined to each of its
