@@ -4,7 +4,7 @@
 //! paper's construction, a conversion in up to 2n dimensions, so that each figure has its yardstick in the same run.
 
 use divan::{Bencher, black_box};
-use partplan::cone::{Generators, Pair};
+use partplan::cone::Pair;
 use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row, ratio};
 use partplan::geometry::Polygon;
 use partplan::mechanics::{Contact, ContactRows, Interaction, Mode, feasible_modes, mode_cone};
@@ -86,7 +86,7 @@ impl Ladder for KSpan {
             let row = column.iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
             rays.push(&row);
         }
-        Ok(Pair::from_generators(&Generators { lines: Matrix::new(columns), rays })?.facets().len())
+        Ok(Pair::from_rays(rays)?.facets().len())
     }
 }
 

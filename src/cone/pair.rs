@@ -57,6 +57,14 @@ impl<T: Int> Pair<T> {
         Self::from_normals(&generators.lines, &generators.rays).map(Self::into_polar)
     }
 
+    /// The cone that rays alone span.
+    ///
+    /// # Errors
+    /// [`Overflow`] if a primitive row does not fit `T`.
+    pub fn from_rays(rays: Matrix<T>) -> Result<Self, Overflow> {
+        Self::from_generators(&Generators { lines: Matrix::new(rays.columns()), rays })
+    }
+
     /// The polar cone `{h : h · x ≤ 0 for all x in the cone}`: the two forms change places.
     #[must_use]
     pub fn into_polar(self) -> Self {

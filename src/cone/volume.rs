@@ -1,10 +1,10 @@
 //! Exact volumes of cones inside boxes.
 
-use super::bits::{BitRows, all};
+use super::bits::{BitRows, all, has};
 use super::lattice::{incidence, subfaces};
 use super::nnc::Cone;
 use super::pair::Pair;
-use crate::exact::{Int, Matrix, Overflow, Q, Z, primitive_row};
+use crate::exact::{Int, Matrix, Overflow, Q, Z, on_rung, primitive_row};
 use num_traits::{One, Signed, Zero};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
@@ -44,7 +44,7 @@ pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow>
 
 /// The facet normals in the coordinates `y_i = x_i / reach_i`.
 fn in_cube<T: Int>(cone: &Pair<T>, reach: &[Q]) -> Result<Matrix<T>, Overflow> {
-    let scale = primitive_row(reach).iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
+    let scale = on_rung::<T>(&primitive_row(reach))?;
     let mut normals = Matrix::with_capacity(reach.len(), cone.facets().len());
     for facet in cone.facets().rows() {
         let product = |axis: usize| T::dot(&facet[axis..=axis], &scale[axis..=axis]);
@@ -114,7 +114,7 @@ fn triangulate(on: &BitRows, face: &[u64], apexes: &mut Vec<usize>, emit: &mut i
     if below.iter().all(|facet| first(facet).is_none()) {
         emit(apexes);
     }
-    for facet in below.iter().filter(|facet| !super::bits::has(facet, apex)) {
+    for facet in below.iter().filter(|facet| !has(facet, apex)) {
         triangulate(on, facet, apexes, emit);
     }
     apexes.pop();

@@ -1,6 +1,6 @@
 //! Rows of integers in one allocation.
 
-use super::{Int, Q, Z};
+use super::{Int, Overflow, Q, Z};
 use num_integer::Integer as _;
 use num_traits::One as _;
 use smallvec::SmallVec;
@@ -150,6 +150,14 @@ impl<T: Int> Matrix<T> {
         );
         Ok(())
     }
+}
+
+/// The row on a rung of the integer ladder.
+///
+/// # Errors
+/// [`Overflow`] if an entry does not fit.
+pub fn on_rung<T: Int>(row: &[Z]) -> Result<Vec<T>, Overflow> {
+    row.iter().map(|value| T::from_z(value).ok_or(Overflow)).collect()
 }
 
 /// The primitive integer row on the same ray as `row`: one positive factor clears all denominators and divisors.

@@ -9,7 +9,7 @@ mod rational;
 
 pub use int::{Int, Ladder, Overflow, Rung, climb};
 pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
-pub use matrix::{Entries, Matrix, primitive_row};
+pub use matrix::{Entries, Matrix, on_rung, primitive_row};
 pub use rational::{approximate, from_float_exact, ratio, to_f64};
 
 /// Integers of any size.

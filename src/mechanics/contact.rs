@@ -1,6 +1,7 @@
 //! Contact frames as primitive integer rows in wrench space.
 
-use crate::exact::{Int, Overflow, Q, Z, primitive_row};
+use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
+use crate::geometry::{cross, difference};
 use crate::model::{Fixture, Part};
 
 /// One contact: its acceleration rows and force rays, each up to a positive factor.
@@ -40,7 +41,7 @@ impl Contact {
             .fixels
             .iter()
             .map(|fixel| {
-                let arm = [&fixel.point[0] - &part.center_of_mass[0], &fixel.point[1] - &part.center_of_mass[1]];
+                let arm = difference(&part.center_of_mass, &fixel.point);
                 let normal = wrench(&arm, &fixel.normal);
                 let tangent = wrench(&arm, &[-&fixel.normal[1], fixel.normal[0].clone()]);
                 let force = |share: &Q| {
@@ -66,8 +67,8 @@ impl Contact {
     /// [`Overflow`] if an entry does not fit.
     pub fn on_rung<T: Int>(&self) -> Result<ContactRows<T>, Overflow> {
         Ok(ContactRows {
-            normal_acceleration: narrowed(&self.normal_acceleration)?,
-            tangent_acceleration: narrowed(&self.tangent_acceleration)?,
+            normal_acceleration: on_rung(&self.normal_acceleration)?,
+            tangent_acceleration: on_rung(&self.tangent_acceleration)?,
             static_forces: both(&self.static_forces)?,
             sure_forces: both(&self.sure_forces)?,
             left_forces: both(&self.left_forces)?,
@@ -78,8 +79,7 @@ impl Contact {
 
 /// Wrench of the force `direction` at `arm` from the center of mass: a column of J.
 fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
-    let torque = &arm[0] * &direction[1] - &arm[1] * &direction[0];
-    [direction[0].clone(), direction[1].clone(), torque]
+    [direction[0].clone(), direction[1].clone(), cross(arm, direction)]
 }
 
 fn acceleration_row(wrench: &[Q; 3], rho2: &Q) -> Vec<Z> {
@@ -87,9 +87,5 @@ fn acceleration_row(wrench: &[Q; 3], rho2: &Q) -> Vec<Z> {
 }
 
 fn both<T: Int>(rows: &[Vec<Z>; 2]) -> Result<[Vec<T>; 2], Overflow> {
-    Ok([narrowed(&rows[0])?, narrowed(&rows[1])?])
-}
-
-fn narrowed<T: Int>(row: &[Z]) -> Result<Vec<T>, Overflow> {
-    row.iter().map(|value| T::from_z(value).ok_or(Overflow)).collect()
+    Ok([on_rung(&rows[0])?, on_rung(&rows[1])?])
 }

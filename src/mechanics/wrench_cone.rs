@@ -87,5 +87,5 @@ pub fn force_rays<T: Int>(contacts: &[ContactRows<T>], mode: &[Interaction]) -> 
 /// [`Overflow`] if a primitive row does not fit `T`.
 pub fn balanced_cone<T: Int>(contacts: &[ContactRows<T>]) -> Result<Cone<T>, Overflow> {
     let rays = Matrix::from_rows(3, contacts.iter().flat_map(|contact| &contact.sure_forces));
-    Pair::from_generators(&crate::cone::Generators { lines: Matrix::new(3), rays }).map(Cone::from)
+    Pair::from_rays(rays).map(Cone::from)
 }

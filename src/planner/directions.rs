@@ -137,7 +137,7 @@ fn around<T: Int>(a: &[T; 2], b: &[T; 2]) -> Ordering {
 }
 
 /// Sign of the cross product `a × b`: greater if `b` lies counter-clockwise of `a`.
-pub(super) fn turn<T: Int>(a: &[T; 2], b: &[T; 2]) -> Ordering {
+fn turn<T: Int>(a: &[T; 2], b: &[T; 2]) -> Ordering {
     let (left, right) = (a[0].to_z() * b[1].to_z(), a[1].to_z() * b[0].to_z());
     left.cmp(&right)
 }

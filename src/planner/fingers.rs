@@ -3,8 +3,8 @@
 use super::directions::{PlanarSet, Run};
 use crate::answer::{Arc, ArcSet, EdgeFingers, FingerSet, Interval};
 use crate::cone::{Cone, HalfSpaces};
-use crate::exact::{Int, Overflow, Q, Z, primitive_row};
-use crate::geometry::Polygon;
+use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
+use crate::geometry::{Polygon, cross, difference};
 use crate::model::{Part, Shape};
 
 /// The wrenches of every simple way to push or tilt a part, in integers of any size.
@@ -25,7 +25,7 @@ impl Pushes {
             }
             Shape::Circle { center, .. } => {
                 // the push -u at c + r u has torque (c - com) x (-u), whatever the radius
-                let arm = [&center[0] - &com[0], &center[1] - &com[1]];
+                let arm = difference(com, center);
                 let columns = [-one(), zero(), arm[1].clone(), zero(), -one(), -arm[0].clone()];
                 Self { edges: Vec::new(), circle: Some(plane(&columns)) }
             }
@@ -42,7 +42,7 @@ pub(super) fn tilt_plane() -> [Vec<Z>; 2] {
 fn edge_plane(polygon: &Polygon, edge: usize, com: &[Q; 2]) -> [Vec<Z>; 2] {
     let [a, b] = polygon.edge(edge);
     let normal = polygon.inward_normal(edge);
-    let torque = |p: &[Q; 2]| (&p[0] - &com[0]) * &normal[1] - (&p[1] - &com[1]) * &normal[0];
+    let torque = |p: &[Q; 2]| cross(&difference(com, p), &normal);
     let (first, last) = (torque(a), torque(b));
     let [x, y] = normal;
     plane(&[x.clone(), y.clone(), first, x, y, last])
@@ -84,8 +84,7 @@ fn systems<T: Int>(cells: &[Cone<T>]) -> Result<Vec<HalfSpaces<T>>, Overflow> {
 }
 
 fn seen_from<T: Int>(plane: &[Vec<Z>; 2], cells: &[HalfSpaces<T>]) -> Result<PlanarSet<T>, Overflow> {
-    let narrow = |row: &[Z]| row.iter().map(|v| T::from_z(v).ok_or(Overflow)).collect::<Result<Vec<T>, _>>();
-    PlanarSet::of(cells, &[narrow(&plane[0])?, narrow(&plane[1])?])
+    PlanarSet::of(cells, &[on_rung(&plane[0])?, on_rung(&plane[1])?])
 }
 
 fn interval<T: Int>(polygon: &Polygon, edge: usize, run: &Run<T>) -> Interval {

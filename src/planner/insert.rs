@@ -7,7 +7,7 @@ use super::sets::{Question, Sets, Task};
 use super::to_answer::region_answer;
 use super::transitions::Verdict;
 use crate::answer::{EmptyReason, Insertion};
-use crate::cone::{Cone, Generators, Pair, complement, subtract};
+use crate::cone::{Cone, Pair, complement, subtract};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Rung, climb};
 use crate::mechanics::{ContactRows, Mode, ModeError};
 use crate::model::{Fixture, Part};
@@ -87,7 +87,7 @@ fn empty_because<T: Int>(
         for first in 0..second {
             let forces = [&contacts[first].static_forces, &contacts[second].static_forces];
             let rays = Matrix::from_rows(3, forces.into_iter().flatten());
-            let balanced = Pair::from_generators(&Generators { lines: Matrix::new(3), rays })?;
+            let balanced = Pair::from_rays(rays)?;
             if balanced.lines().len() == 3 {
                 return Ok(EmptyReason::PairForceClosure { fixels: [first, second] });
             }

@@ -4,8 +4,8 @@ use super::fingers::Pushes;
 use super::to_answer::cone_answer;
 use super::transitions::Transitions;
 use crate::answer::{Cone as ConeAnswer, WrenchVerdict};
-use crate::cone::{Cone, Generators, HalfSpaces, Pair};
-use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb, primitive_row};
+use crate::cone::{Cone, HalfSpaces, Pair};
+use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb, on_rung, primitive_row};
 use crate::mechanics::{
     Contact, ContactRows, Interaction, Mode, ModeError, acceleration_system, balanced_cone, feasible_modes, force_rays,
     mode_cone,
@@ -44,7 +44,7 @@ impl Ladder for ModeCones<'_> {
     type Output = Vec<(String, ConeAnswer)>;
 
     fn run<T: Int>(&self) -> Result<Self::Output, Overflow> {
-        let contacts = on_rung::<T>(&self.contacts)?;
+        let contacts = contacts_on_rung::<T>(&self.contacts)?;
         let asked = asked_modes(&contacts, self.question)?;
         Ok(asked.iter().map(|(name, cone)| (name.clone(), cone_answer(cone.as_ref()))).collect())
     }
@@ -95,7 +95,7 @@ type AskedCone<T> = (String, Option<Cone<T>>);
 
 impl<T: Int> Sets<T> {
     pub(super) fn of(task: &Task) -> Result<Self, Overflow> {
-        let contacts = on_rung::<T>(&task.contacts)?;
+        let contacts = contacts_on_rung::<T>(&task.contacts)?;
         let feasible = feasible_modes(&contacts)?;
         let moving = moving_cones(&contacts, &feasible)?;
         let is_independent = are_independent(&contacts)?;
@@ -116,7 +116,7 @@ impl<T: Int> Sets<T> {
     }
 
     fn verdict(&self, wrench: &[Q; 3]) -> Result<WrenchVerdict, Overflow> {
-        let row = primitive_row(wrench).iter().map(T::from_z).collect::<Option<Vec<T>>>().ok_or(Overflow)?;
+        let row = on_rung::<T>(&primitive_row(wrench))?;
         let is_outside = |holes: &mut dyn Iterator<Item = &Cone<T>>| {
             holes.map(|hole| hole.contains(&row)).try_fold(true, |outside, inside| Ok(outside && !inside?))
         };
@@ -156,7 +156,7 @@ fn check_modes(fixture: &Fixture, question: &Question) -> Result<(), ModeError> 
     }
 }
 
-fn on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {
+fn contacts_on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {
     contacts.iter().map(Contact::on_rung).collect()
 }
 
@@ -233,7 +233,7 @@ fn refuting_cones<T: Int>(contacts: &[ContactRows<T>], moving: &[ModeCone<T>]) -
     for free in 0..contacts.len() {
         let others = contacts.iter().enumerate().filter(|(index, _)| *index != free);
         let rays = Matrix::from_rows(3, others.flat_map(|(_, contact)| &contact.static_forces));
-        cones.push(Pair::from_generators(&Generators { lines: Matrix::new(3), rays })?.into());
+        cones.push(Pair::from_rays(rays)?.into());
     }
     let breaking = moving.iter().filter(|(mode, _)| mode.0.contains(&Interaction::Separate));
     cones.extend(breaking.map(|(_, cone)| cone.clone()));
