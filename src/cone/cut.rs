@@ -1,10 +1,10 @@
 //! Generators of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
-use super::bits::{BitRows, count, is_subset};
+use super::clip::clip;
+use super::describe::describe;
 use super::linear::{cross, dot_sign, is_zero};
 use crate::exact::{Entries, Int, Matrix, Overflow};
 use smallvec::SmallVec;
-use std::cmp::Ordering;
 
 /// Lines and extreme rays, not yet in canonical form.
 pub(super) struct Cut<T> {
@@ -144,114 +144,4 @@ fn flatten<T: Int>(rows: &mut Matrix<T>, inside: &[T], normal: &[T], scratch: &m
         }
     }
     Ok(())
-}
-
-/// Clips a three-dimensional cone (modulo lines) whose rays are in cyclic order.
-fn clip<T: Int>(
-    rays: Matrix<T>,
-    normals: &Matrix<T>,
-    rows: impl Iterator<Item = usize>,
-) -> Result<Result<Matrix<T>, usize>, Overflow> {
-    let mut ring = rays;
-    let mut clipped = Matrix::with_capacity(normals.columns(), ring.len() + 1);
-    let mut products = Vec::with_capacity(ring.len());
-    for row in rows {
-        let normal = normals.row(row);
-        products.clear();
-        for ray in ring.rows() {
-            products.push(T::dot(normal, ray)?);
-        }
-        if !products.iter().any(|p| T::wide_sign(p).is_gt()) {
-            continue;
-        }
-        if !products.iter().any(|p| T::wide_sign(p).is_lt()) {
-            return Ok(Err(row));
-        }
-        clipped.clear();
-        for (index, product) in products.iter().enumerate() {
-            let next = (index + 1) % products.len();
-            let (here, there) = (T::wide_sign(product), T::wide_sign(&products[next]));
-            if here.is_le() {
-                clipped.push(ring.row(index));
-            }
-            if here.is_lt() && there.is_gt() {
-                crossing(&ring, index, product, next, &products[next], &mut clipped)?;
-            } else if here.is_gt() && there.is_lt() {
-                crossing(&ring, next, &products[next], index, product, &mut clipped)?;
-            }
-        }
-        std::mem::swap(&mut ring, &mut clipped);
-    }
-    Ok(Ok(ring))
-}
-
-/// Appends the ray between ray `inside` (negative product) and ray `outside` (positive product) on the hyperplane.
-fn crossing<T: Int>(
-    rays: &Matrix<T>,
-    inside: usize,
-    depth: &T::Wide,
-    outside: usize,
-    height: &T::Wide,
-    out: &mut Matrix<T>,
-) -> Result<(), Overflow> {
-    let (inside, outside) = (rays.row(inside), rays.row(outside));
-    out.push_with(|entries| T::combine(height, inside, &T::wide_negated(depth), outside, entries))
-}
-
-/// The double description method in any dimension, from the simplicial cone of the rows `basis`.
-fn describe<T: Int>(
-    rays: Matrix<T>,
-    normals: &Matrix<T>,
-    basis: &[usize],
-    rows: impl Iterator<Item = usize>,
-) -> Result<Result<Matrix<T>, usize>, Overflow> {
-    let common_needed = basis.len().saturating_sub(2);
-    let mut rays = rays;
-    let mut on = BitRows::new(normals.len());
-    for own in 0..basis.len() {
-        on.push(normals.len(), |row| basis.contains(&row) && basis[own] != row);
-    }
-    for row in rows {
-        let normal = normals.row(row);
-        let products = rays.rows().map(|ray| T::dot(normal, ray)).collect::<Result<Vec<_>, _>>()?;
-        let products = &products;
-        let with_sign = |sign: Ordering| (0..products.len()).filter(move |r| T::wide_sign(&products[*r]) == sign);
-        if with_sign(Ordering::Greater).next().is_none() {
-            with_sign(Ordering::Equal).for_each(|ray| on.insert(ray, row));
-            continue;
-        }
-        if with_sign(Ordering::Less).next().is_none() {
-            return Ok(Err(row));
-        }
-        let mut next_rays = Matrix::new(normal.len());
-        let mut next_on = BitRows::new(normals.len());
-        for ray in (0..products.len()).filter(|ray| T::wide_sign(&products[*ray]).is_le()) {
-            next_rays.push(rays.row(ray));
-            next_on.push_words(on.row(ray).iter().copied());
-            if T::wide_sign(&products[ray]).is_eq() {
-                next_on.insert(next_rays.len() - 1, row);
-            }
-        }
-        let outside: Vec<usize> = with_sign(Ordering::Greater).collect();
-        let mut common = vec![0_u64; on.row(0).len()];
-        for inside in with_sign(Ordering::Less) {
-            for outside in outside.iter().copied() {
-                for (word, (a, b)) in common.iter_mut().zip(on.row(inside).iter().zip(on.row(outside))) {
-                    *word = a & b;
-                }
-                if count(&common) < common_needed || !are_adjacent(&on, inside, outside, &common) {
-                    continue;
-                }
-                crossing(&rays, inside, &products[inside], outside, &products[outside], &mut next_rays)?;
-                next_on.push_words(common.iter().copied());
-                next_on.insert(next_rays.len() - 1, row);
-            }
-        }
-        (rays, on) = (next_rays, next_on);
-    }
-    Ok(Ok(rays))
-}
-
-fn are_adjacent(on: &BitRows, a: usize, b: usize, common: &[u64]) -> bool {
-    !on.rows().enumerate().any(|(ray, set)| ray != a && ray != b && is_subset(common, set))
 }

@@ -86,3 +86,16 @@ pub(super) fn positive_combination<'a, T: Int + 'a>(
         Ok(out)
     })
 }
+
+/// Appends the ray between ray `inside` (negative product) and ray `outside` (positive product) on the hyperplane.
+pub(super) fn crossing<T: Int>(
+    rays: &Matrix<T>,
+    inside: usize,
+    depth: &T::Wide,
+    outside: usize,
+    height: &T::Wide,
+    out: &mut Matrix<T>,
+) -> Result<(), Overflow> {
+    let (inside, outside) = (rays.row(inside), rays.row(outside));
+    out.push_with(|entries| T::combine(height, inside, &T::wide_negated(depth), outside, entries))
+}

@@ -9,8 +9,10 @@
 pub mod format;
 
 mod bits;
+mod clip;
 mod convert;
 mod cut;
+mod describe;
 mod difference;
 mod faces;
 mod lattice;
