@@ -46,6 +46,7 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
         json!({ "goal": sets::arc_set(&answer.goal_tilt), "acyclic": sets::arc_set(&answer.acyclic_tilt) }),
     );
     result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
+    result.insert("robust_acyclic".into(), answer.robust_acyclic.as_ref().map_or(Value::Null, robust));
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));
