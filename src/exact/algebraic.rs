@@ -35,25 +35,6 @@ impl From<Q> for Algebraic {
 }
 
 impl Algebraic {
-    /// The root in a bracket, as a rational if its polynomial is linear or it is zero.
-    pub(super) fn bracketed(bracket: Bracket) -> Self {
-        if let [constant, slope] = bracket.polynomial().coefficients() {
-            return Q::new(-constant, slope.clone()).into();
-        }
-        let mut number = Self { form: Form::Root(bracket) };
-        number.keep_off_zero();
-        number
-    }
-
-    /// Cuts a bracket at zero, so that widths relative to the root can be reached.
-    fn keep_off_zero(&mut self) {
-        let Form::Root(bracket) = &mut self.form else { return };
-        match bracket.compare(&Q::zero()) {
-            Ordering::Equal => self.form = Form::Rational(Q::zero()),
-            side => bracket.cut_at_zero(side),
-        }
-    }
-
     /// A primitive square-free polynomial that is zero here; linear only if the number is known to be rational.
     #[must_use]
     pub fn polynomial(&self) -> Polynomial {
@@ -72,13 +53,7 @@ impl Algebraic {
         self.refined(width).bounds()
     }
 
-    fn refined(&self, width: &Q) -> Self {
-        let mut number = self.clone();
-        number.refine(width);
-        number
-    }
-
-    /// The bounds that it is known by now: see [`Algebraic::enclosure`].
+    /// The bounds known so far: [`Algebraic::enclosure`] for some width.
     #[must_use]
     pub fn bounds(&self) -> [Q; 2] {
         match &self.form {
@@ -98,15 +73,6 @@ impl Algebraic {
         {
             self.form = Form::Rational(root);
         }
-    }
-
-    /// The same number with the width of its bounds divided by `2^bits`.
-    pub(super) fn halved(&self, bits: u32) -> Self {
-        if let Form::Root(bracket) = &self.form {
-            let [low, high] = bracket.ends();
-            return self.refined(&((high - low) / Q::from(Z::one() << bits)));
-        }
-        self.clone()
     }
 
     /// The number as a rational if it is one, whatever the degree of its polynomial.
@@ -129,30 +95,6 @@ impl Algebraic {
     #[must_use]
     pub fn sign_of(&self, polynomial: &Polynomial) -> Ordering {
         self.sign_after(polynomial, 4)
-    }
-
-    /// Halves the bounds ever more often: what is not zero is on one side of zero once they are close.
-    fn sign_after(&self, polynomial: &Polynomial, bits: u32) -> Ordering {
-        let [low, high] = polynomial.range_on(&self.bounds());
-        let sign = low.cmp(&Q::zero());
-        if sign == high.cmp(&Q::zero()) {
-            return sign;
-        }
-        if bits == WORTH_A_DIVISOR && self.is_root_of(polynomial) {
-            return Ordering::Equal;
-        }
-        self.halved(bits).sign_after(polynomial, 2 * bits)
-    }
-
-    /// Whether the factor shared with the own polynomial has its root here; it is not zero on the ends.
-    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
-        match &self.form {
-            Form::Rational(value) => polynomial.sign_at(value).is_eq(),
-            Form::Root(bracket) => {
-                let [low, high] = bracket.ends();
-                has_sign_change(&bracket.polynomial().gcd(polynomial), low, high)
-            }
-        }
     }
 
     /// A rational strictly between this number and a greater one, with a short denominator for the room that there is;
@@ -202,11 +144,61 @@ impl Algebraic {
 /// The step of narrowing before which a common divisor is worth computing: most decisions fall earlier.
 const WORTH_A_DIVISOR: u32 = 16;
 
-fn has_sign_change(polynomial: &Polynomial, low: &Q, high: &Q) -> bool {
-    polynomial.sign_at(low) != polynomial.sign_at(high)
-}
-
 impl Algebraic {
+    /// The root in a bracket that is cut at zero, so that widths relative to the root can be reached; a rational if the
+    /// root is zero or the polynomial linear.
+    pub(super) fn bracketed(mut bracket: Bracket) -> Self {
+        if let [constant, slope] = bracket.polynomial().coefficients() {
+            return Q::new(-constant, slope.clone()).into();
+        }
+        match bracket.compare(&Q::zero()) {
+            Ordering::Equal => Q::zero().into(),
+            side => {
+                bracket.cut_at_zero(side);
+                Self { form: Form::Root(bracket) }
+            }
+        }
+    }
+
+    fn refined(&self, width: &Q) -> Self {
+        let mut number = self.clone();
+        number.refine(width);
+        number
+    }
+
+    /// The same number with the width of its bounds divided by `2^bits`.
+    pub(super) fn halved(&self, bits: u32) -> Self {
+        if let Form::Root(bracket) = &self.form {
+            let [low, high] = bracket.ends();
+            return self.refined(&((high - low) / Q::from(Z::one() << bits)));
+        }
+        self.clone()
+    }
+
+    /// Halves the bounds ever more often: what is not zero is on one side of zero once they are close.
+    fn sign_after(&self, polynomial: &Polynomial, bits: u32) -> Ordering {
+        let [low, high] = polynomial.range_on(&self.bounds());
+        let sign = low.cmp(&Q::zero());
+        if sign == high.cmp(&Q::zero()) {
+            return sign;
+        }
+        if bits == WORTH_A_DIVISOR && self.is_root_of(polynomial) {
+            return Ordering::Equal;
+        }
+        self.halved(bits).sign_after(polynomial, 2 * bits)
+    }
+
+    /// Whether the factor shared with the own polynomial has its root here; it is not zero on the ends.
+    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+        match &self.form {
+            Form::Rational(value) => polynomial.sign_at(value).is_eq(),
+            Form::Root(bracket) => {
+                let [low, high] = bracket.ends();
+                has_sign_change(&bracket.polynomial().gcd(polynomial), low, high)
+            }
+        }
+    }
+
     fn order(&self, value: &Q) -> Ordering {
         match &self.form {
             Form::Rational(own) => own.cmp(value),
@@ -225,6 +217,10 @@ impl Algebraic {
             _ => self.halved(bits).order_after(&other.halved(bits), 2 * bits),
         }
     }
+}
+
+fn has_sign_change(polynomial: &Polynomial, low: &Q, high: &Q) -> bool {
+    polynomial.sign_at(low) != polynomial.sign_at(high)
 }
 
 /// Whether overlapping brackets hold the same root.

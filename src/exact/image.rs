@@ -48,6 +48,9 @@ impl Algebraic {
     pub fn apply(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Self> {
         let mut width = Q::one();
         let mut enclosure = self.image(numerator, denominator, &width)?;
+        if enclosure[0] == enclosure[1] {
+            return Some(enclosure[0].clone().into());
+        }
         let own = self.polynomial();
         // zeros of the denominator among the other roots are none of ours
         let own = own.exact_quotient(&own.gcd(denominator)).expect("a common factor divides");
