@@ -1,6 +1,7 @@
 //! The planners: which wrenches, finger places and tilts do what is asked, decided exactly.
 
 mod directions;
+mod critical;
 mod fingers;
 mod insert;
 mod recommend;

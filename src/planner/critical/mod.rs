@@ -1,0 +1,3 @@
+//! How much friction a guarantee bears.
+
+mod family;
