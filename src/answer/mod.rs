@@ -1,9 +1,11 @@
 //! What the planners return: data only, exact, ready to be checked and reported.
 
+mod critical;
 mod insert;
 mod polyhedron;
 mod region;
 
+pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};

@@ -1,7 +1,7 @@
 //! The planners: which wrenches, finger places and tilts do what is asked, decided exactly.
 
-mod directions;
 mod critical;
+mod directions;
 mod fingers;
 mod insert;
 mod recommend;

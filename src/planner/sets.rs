@@ -23,6 +23,8 @@ pub struct Question {
     pub strict_s: bool,
     /// Whether the most robust wrench is wanted: a search that costs as much as all the rest of a plan.
     pub robust: bool,
+    /// Whether it is wanted how much friction the sets and the plan bear, and what would open an empty one.
+    pub critical: bool,
 }
 
 /// The cones of the modes asked for, in the order asked.

@@ -1,8 +1,9 @@
 //! The factors at which a set may become empty: roots of determinants of the rays that span its cones.
 
-use super::interval::Interval;
-use crate::exact::{Polynomial, Q, Z};
-use crate::mechanics::{Contact, FrictionEdges};
+use super::family::Family;
+use super::interval::{Determinants, Interval};
+use crate::exact::{Polynomial, Q, Z, primitive_row};
+use crate::mechanics::Contact;
 use num_traits::Zero as _;
 
 /// A ray `base + k slope` that spans cones of some modes, as a function of the factor `k`.
@@ -21,12 +22,16 @@ pub(super) struct Rays(Vec<Ray>);
 
 impl Rays {
     /// The rays of at most three contacts with independent normals, and the constant `wrench` as a last one.
-    pub(super) fn of(contacts: &[Contact], edges: &[FrictionEdges], wrench: Option<&[Z]>) -> Self {
+    pub(super) fn of(family: &Family, wrench: Option<&[Z]>) -> Self {
         let constant = |base: [Z; 3]| Ray { base, slope: [Z::zero(), Z::zero(), Z::zero()], fixel: None };
-        let mut rays: Vec<Ray> = dual_basis(contacts).into_iter().map(constant).collect();
-        for (fixel, edges) in edges.iter().enumerate() {
+        let mut rays: Vec<Ray> = dual_basis(&family.contacts).into_iter().map(constant).collect();
+        for (fixel, edges) in family.edges.iter().enumerate() {
             for side in 0..2 {
-                rays.push(Ray { base: triple(&edges.base[side]), slope: triple(&edges.slope[side]), fixel: Some(fixel) });
+                rays.push(Ray {
+                    base: triple(&edges.base[side]),
+                    slope: triple(&edges.slope[side]),
+                    fixel: Some(fixel),
+                });
             }
         }
         // zero friction has one edge
@@ -54,16 +59,11 @@ impl Rays {
     /// `det(a × b, c × d, e × f) = [a c d][b e f] - [b c d][a e f]`, which is a product of two `[a b c]` if the planes
     /// share a ray. For a single wrench `x` the `[a b c]` and `[a b x]` are enough.
     pub(super) fn events(&self, low: &Q, high: &Q, is_judged: bool) -> Vec<Polynomial> {
-        let factor = Interval::between(low, high);
-        let near = Brackets::of(&self.0, &RangeOf(factor));
-        let exact = |[a, b, c]: [usize; 3]| {
-            let [a, b, c] = [a, b, c].map(|index| self.polynomials(index));
-            determinant(&a, &b, &c)
-        };
+        let near = self.determinants(low, high);
         let mut events = Vec::new();
         for triple in triples(self.0.len()) {
             if near.at(triple).may_be_zero() {
-                events.push(exact(triple));
+                events.push(self.determinant(triple));
             }
         }
         if !is_judged {
@@ -73,7 +73,7 @@ impl Rays {
                     let ([a, b], [c, d], [e, f]) = (*first, second, third);
                     let value = near.at([a, c, d]) * near.at([b, e, f]) - near.at([b, c, d]) * near.at([a, e, f]);
                     if value.may_be_zero() {
-                        let product = |first, second| &exact(first) * &exact(second);
+                        let product = |first, second| &self.determinant(first) * &self.determinant(second);
                         events.push(&product([a, c, d], [b, e, f]) - &product([b, c, d], [a, e, f]));
                     }
                 }
@@ -83,24 +83,40 @@ impl Rays {
         events
     }
 
-    /// The triples of rays that span a cone of some mode together and are dependent where `is_zero` says so: there a cone may jump.
-    pub(super) fn may_jump(&self, is_zero: impl Fn(&Polynomial) -> bool) -> bool {
-        triples(self.0.len()).any(|triple| {
-            let is_together = self.are_together(triple[0], triple[1])
-                && self.are_together(triple[0], triple[2])
-                && self.are_together(triple[1], triple[2]);
-            let [a, b, c] = triple.map(|index| self.polynomials(index));
-            is_together && is_zero(&determinant(&a, &b, &c))
+    fn determinants(&self, low: &Q, high: &Q) -> Determinants {
+        let factor = Interval::between(low, high);
+        let range =
+            |ray: &Ray| [0, 1, 2].map(|axis| Interval::of(&ray.base[axis]) + factor * Interval::of(&ray.slope[axis]));
+        Determinants::of(self.0.iter().map(range).collect())
+    }
+
+    /// `[a b c]` as a polynomial in the factor.
+    fn determinant(&self, [a, b, c]: [usize; 3]) -> Polynomial {
+        inner_product(&self.vector(a), &cross_product(&self.vector(b), &self.vector(c)))
+    }
+
+    /// `sign normal` as a function of the factor, for a row that is normal to the plane of two rays at `factor`.
+    pub(super) fn normal(&self, row: &[Z], factor: &Q) -> Option<Vector> {
+        let at = |entry: &Polynomial| entry.at(factor);
+        self.planes().into_iter().find_map(|[a, b]| {
+            let normal = cross_product(&self.vector(a), &self.vector(b));
+            let here = primitive_row(&normal.each_ref().map(at));
+            let is_opposite = here.iter().zip(row).all(|(x, y)| *x == -y);
+            match (here == row, is_opposite) {
+                (true, _) => Some(normal),
+                (_, true) => Some(normal.map(|entry| -entry)),
+                _ => None,
+            }
         })
     }
 
-    fn polynomials(&self, index: usize) -> [Polynomial; 3] {
+    fn vector(&self, index: usize) -> Vector {
         let Ray { base, slope, .. } = &self.0[index];
         [0, 1, 2].map(|axis| Polynomial::new(vec![base[axis].clone(), slope[axis].clone()]))
     }
 
     /// Whether some mode has both rays: not if the first is the acceleration at a fixel that must keep contact for the second.
-    fn are_together(&self, first: usize, second: usize) -> bool {
+    fn are_together(&self, [first, second]: [usize; 2]) -> bool {
         self.0[second].fixel != Some(first) && self.0[first].fixel != Some(second)
     }
 
@@ -108,8 +124,20 @@ impl Rays {
     fn planes(&self) -> Vec<[usize; 2]> {
         let n = self.0.len();
         let pairs = (0..n).flat_map(|first| (first + 1..n).map(move |second| [first, second]));
-        pairs.filter(|[first, second]| self.are_together(*first, *second)).collect()
+        pairs.filter(|pair| self.are_together(*pair)).collect()
     }
+}
+
+/// A vector as a function of the factor.
+pub(super) type Vector = [Polynomial; 3];
+
+pub(super) fn cross_product(a: &Vector, b: &Vector) -> Vector {
+    let minor = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+pub(super) fn inner_product(a: &Vector, b: &Vector) -> Polynomial {
+    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }
 
 /// `x`, `y`, `z` with `n_i · x = 0` for all normal accelerations `n_i` but one each, or for all.
@@ -131,8 +159,30 @@ fn dual_basis(contacts: &[Contact]) -> Vec<[Z; 3]> {
     (0..3).map(|index| cross(&normals[(index + 1) % 3], &normals[(index + 2) % 3])).collect()
 }
 
-/// All `[a b c]` of a list of rays.
-struct Brackets<N> {
-    n: usize,
-    values: Vec<N>,
+fn triple(row: &[Z]) -> [Z; 3] {
+    [row[0].clone(), row[1].clone(), row[2].clone()]
+}
+
+fn cross(a: &[Z; 3], b: &[Z; 3]) -> [Z; 3] {
+    [0, 1, 2].map(|axis| {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        &a[next] * &b[last] - &a[last] * &b[next]
+    })
+}
+
+fn dot(a: &[Z; 3], b: &[Z; 3]) -> Z {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn triples(n: usize) -> impl Iterator<Item = [usize; 3]> {
+    (0..n).flat_map(move |a| (a + 1..n).flat_map(move |b| (b + 1..n).map(move |c| [a, b, c])))
+}
+
+/// The pairs of planes that share no ray with each other nor with `first`.
+fn disjoint_pairs(planes: &[[usize; 2]], first: &[usize; 2]) -> impl Iterator<Item = ([usize; 2], [usize; 2])> {
+    let share = |a: &[usize; 2], b: &[usize; 2]| a.iter().any(|ray| b.contains(ray));
+    let apart: Vec<[usize; 2]> = planes.iter().copied().filter(|plane| !share(plane, first)).collect();
+    let n = apart.len();
+    let pairs = (0..n).flat_map(move |second| (second + 1..n).map(move |third| [second, third]));
+    pairs.map(move |pair| pair.map(|index| apart[index])).filter(move |[c, d]| !share(c, d)).map(|[c, d]| (c, d))
 }

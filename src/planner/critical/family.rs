@@ -13,7 +13,7 @@ use crate::model::{Fixture, Part};
 /// the factor, for more friction allows more forces, so the sets shrink: each is empty from one factor on.
 #[derive(Debug, Clone)]
 pub(super) struct Family {
-    contacts: Vec<Contact>,
+    pub(super) contacts: Vec<Contact>,
     pub(super) edges: Vec<FrictionEdges>,
     pub(super) is_independent: bool,
 }
@@ -59,8 +59,8 @@ impl Family {
     }
 
     /// Whether `wrench` is in the acyclic set at `factor`.
-    pub(super) fn is_acyclic(&self, factor: &Q, wrench: &[Z]) -> bool {
-        self.is_independent && climb(&IsAcyclic { contacts: self.at(factor), wrench }, Rung::Word).0
+    pub(super) fn holds_acyclic(&self, factor: &Q, wrench: &[Z]) -> bool {
+        self.is_independent && climb(&HoldsAcyclic { contacts: self.at(factor), wrench }, Rung::Word).0
     }
 
     /// The cells of `set` at `factor`.
@@ -101,12 +101,12 @@ impl Ladder for IsPossible {
     }
 }
 
-struct IsAcyclic<'a> {
+struct HoldsAcyclic<'a> {
     contacts: Vec<Contact>,
     wrench: &'a [Z],
 }
 
-impl Ladder for IsAcyclic<'_> {
+impl Ladder for HoldsAcyclic<'_> {
     type Output = bool;
 
     fn run<T: Int>(&self) -> Result<bool, Overflow> {

@@ -60,3 +60,37 @@ impl Mul for Interval {
         Self { low, high }.wider()
     }
 }
+
+/// `[a b c] = det(a, b, c)` of any three of a list of vectors.
+pub(super) struct Determinants {
+    vectors: Vec<[Interval; 3]>,
+    /// By `a`, `b` and `c` in turn, where they ascend.
+    values: Vec<Interval>,
+}
+
+impl Determinants {
+    pub(super) fn of(vectors: Vec<[Interval; 3]>) -> Self {
+        let zero = Interval { low: 0.0, high: 0.0 };
+        let n = vectors.len();
+        let mut found = Self { vectors, values: vec![zero; n * n * n] };
+        for (a, b, c) in (0..n).flat_map(|a| (a + 1..n).flat_map(move |b| (b + 1..n).map(move |c| (a, b, c)))) {
+            let [p, q, r] = [a, b, c].map(|index| found.vectors[index]);
+            let minor = |i: usize, j: usize| q[i] * r[j] - q[j] * r[i];
+            let place = found.place(a, b, c);
+            found.values[place] = p[0] * minor(1, 2) + p[1] * minor(2, 0) + p[2] * minor(0, 1);
+        }
+        found
+    }
+
+    pub(super) fn at(&self, [a, b, c]: [usize; 3]) -> Interval {
+        let swaps = usize::from(a > b) + usize::from(a > c) + usize::from(b > c);
+        let mut sorted = [a, b, c];
+        sorted.sort_unstable();
+        let value = self.values[self.place(sorted[0], sorted[1], sorted[2])];
+        if swaps % 2 == 0 { value } else { Interval { low: -value.high, high: -value.low } }
+    }
+
+    fn place(&self, a: usize, b: usize, c: usize) -> usize {
+        (a * self.vectors.len() + b) * self.vectors.len() + c
+    }
+}

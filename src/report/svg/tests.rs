@@ -55,6 +55,8 @@ fn answer(plan: Option<Action>) -> Insertion {
         wrenches: Vec::new(),
         modes: Vec::new(),
         robust: None,
+        critical_friction: None,
+        nearest_change: None,
     }
 }
 
