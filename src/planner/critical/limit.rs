@@ -4,7 +4,7 @@ use super::collapse::lasts;
 use super::events::Rays;
 use super::family::{Family, Set};
 use super::jam::{first_jam, jam_at};
-use super::search::{Falling, Lost, below, lost};
+use super::search::{Falling, Loss, below, lost};
 use crate::answer::{CriticalFactor, End, FrictionLimit};
 use crate::exact::{Algebraic, Polynomial, Q, Z, ratio};
 use crate::model::Fixture;
@@ -52,8 +52,8 @@ pub(super) fn of_set(family: &Family, jams: Option<&Fixture>, set: Set, known: &
         low = if known > low { known } else { low };
     }
     match lost(&condition, low, high) {
-        Lost::Never => FrictionLimit::Never,
-        Lost::At { factor, before } => FrictionLimit::Finite(condition.end_at(factor, &before, jams)),
+        None => FrictionLimit::Never,
+        Some(Loss { factor, before }) => FrictionLimit::Finite(condition.end_at(factor, &before, jams)),
     }
 }
 
@@ -66,8 +66,8 @@ pub(super) fn of_plan(family: &Family, wrench: &[Z], set: &FrictionLimit) -> Fri
         if let FrictionLimit::Finite(end) = set { Some(end.factor.bounds()[1].clone() * ratio(2, 1)) } else { None };
     let condition = Stays { family, wrench, rays: Rays::of(family, Some(wrench)) };
     match lost(&condition, Q::one(), high) {
-        Lost::Never => FrictionLimit::Never,
-        Lost::At { factor, .. } => {
+        None => FrictionLimit::Never,
+        Some(Loss { factor, .. }) => {
             let (factor, is_attained) = at_itself(&condition, factor);
             FrictionLimit::Finite(CriticalFactor { factor, is_attained, end: None, jam: None })
         }

@@ -15,18 +15,13 @@ pub(super) trait Falling {
     fn beyond_all(&self) -> Q;
 }
 
-/// Where a condition is lost.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Lost {
-    Never,
-    /// It holds below and not above a factor.
-    At {
-        /// That factor.
-        factor: Algebraic,
-        /// A factor where it holds, with no event above it and below the other; the same if it is lost there, which only
-        /// a rational can be.
-        before: Q,
-    },
+/// Where a condition is lost: it holds below a factor and not above.
+#[derive(Debug)]
+pub(super) struct Loss {
+    pub(super) factor: Algebraic,
+    /// A factor where it holds, with no event above it and below the other; the same if it is lost there, which only a
+    /// rational can be.
+    pub(super) before: Q,
 }
 
 /// Events are isolated once the bracket is this narrow, relative to its end.
@@ -35,12 +30,12 @@ const FIRST_LOOK: i64 = 64;
 /// More events than this in a bracket are left for a narrower one.
 const MANY: usize = 24;
 
-/// Where `condition` is lost, which holds at `low` and, if it is given, not at `high`.
+/// Where `condition` is lost, which holds at `low` and, if it is given, not at `high`; `None` if it never is.
 ///
 /// Exact tests narrow the bracket until few events are left in it, whose real roots are the only factors in question;
 /// exact tests between these single one out.
-pub(super) fn lost(condition: &impl Falling, low: Q, high: Option<Q>) -> Lost {
-    let Some([mut low, mut high]) = bracket(condition, low, high) else { return Lost::Never };
+pub(super) fn lost(condition: &impl Falling, low: Q, high: Option<Q>) -> Option<Loss> {
+    let [mut low, mut high] = bracket(condition, low, high)?;
     let smallest = ratio(1, 1 << 24);
     let mut look = ratio(1, FIRST_LOOK);
     loop {
@@ -50,7 +45,7 @@ pub(super) fn lost(condition: &impl Falling, low: Q, high: Option<Q>) -> Lost {
         }
         let events = condition.events(&low, &high);
         if events.len() <= MANY || look < ratio(1, 1_000_000_000) {
-            return single_out(condition, &low, &high, &events);
+            return Some(single_out(condition, &low, &high, &events));
         }
         look /= ratio(16, 1);
     }
@@ -76,7 +71,7 @@ fn bracket(condition: &impl Falling, mut low: Q, high: Option<Q>) -> Option<[Q; 
 }
 
 /// The root at which the condition, which holds at `low` but not at `high`, is lost.
-fn single_out(condition: &impl Falling, low: &Q, high: &Q, events: &[Polynomial]) -> Lost {
+fn single_out(condition: &impl Falling, low: &Q, high: &Q, events: &[Polynomial]) -> Loss {
     let range = (std::ops::Bound::Excluded(low.clone()), std::ops::Bound::Included(high.clone()));
     let mut roots: Vec<Algebraic> =
         events.iter().filter_map(|event| event.real_roots(range.clone())).flatten().collect();
@@ -92,7 +87,7 @@ fn single_out(condition: &impl Falling, low: &Q, high: &Q, events: &[Polynomial]
         if condition.holds(&between) { (held, before) = (middle, between) } else { gone = middle }
     }
     let factor = if held == 0 { low.clone().into() } else { roots[held - 1].clone() };
-    Lost::At { factor, before }
+    Loss { factor, before }
 }
 
 /// A short rational strictly between two numbers, the first of them less.

@@ -3,19 +3,19 @@
 use super::super::decimal::percent_up_to;
 use crate::answer::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 
-/// How much friction the plan bears, and how much any wrench does.
-pub(super) fn critical(critical: &CriticalFriction) -> String {
-    let plan = match &critical.plan {
-        Some(FrictionLimit::Finite(end)) => format!("the plan works up to {} of the friction given", share(end)),
-        Some(FrictionLimit::Never) => return "the plan works whatever the friction".to_owned(),
-        Some(FrictionLimit::Always) | None => "no plan".to_owned(),
+/// How much friction the plan bears, and how much any wrench does; `None` without a plan.
+pub(super) fn critical(critical: &CriticalFriction) -> Option<String> {
+    let plan = match critical.plan.as_ref()? {
+        FrictionLimit::Always => return None,
+        FrictionLimit::Never => return Some("the plan works whatever the friction".to_owned()),
+        FrictionLimit::Finite(plan) => plan,
     };
     let any = match &critical.acyclic {
-        FrictionLimit::Always => "no wrench".to_owned(),
-        FrictionLimit::Never => "some wrench whatever it is".to_owned(),
+        FrictionLimit::Finite(end) if end.factor == plan.factor => format!("no wrench beyond{}", after(end)),
         FrictionLimit::Finite(end) => format!("some wrench up to {}{}", share(end), after(end)),
+        FrictionLimit::Always | FrictionLimit::Never => "some wrench whatever it is".to_owned(),
     };
-    format!("{plan}, {any}")
+    Some(format!("the plan works up to {} of the friction given, {any}", share(plan)))
 }
 
 /// What would open an empty set; `None` if no change of friction and no fixel left out would.

@@ -17,8 +17,8 @@ pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
     if let Some(robust) = &answer.robust {
         most_robust(&mut report, subject, robust);
     }
-    if let (Some(critical), Some(_)) = (&answer.critical_friction, &answer.plan) {
-        report.line("friction", &friction::critical(critical));
+    if let Some(friction) = answer.critical_friction.as_ref().and_then(friction::critical) {
+        report.line("friction", &friction);
     }
     if let Some(reason) = &answer.empty_because {
         explain(&mut report, reason, answer.nearest_change.as_ref());
