@@ -3,7 +3,9 @@
 mod insert;
 mod polyhedron;
 mod region;
+mod witness;
 
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
+pub use witness::{ContactMotion, Motion, Step, Witness};

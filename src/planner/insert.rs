@@ -59,7 +59,7 @@ impl Ladder for Inserting<'_> {
             acyclic_fingers,
             goal_tilt: tilt(&goal)?,
             acyclic_tilt,
-            wrenches: sets.verdicts(task.question)?,
+            wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),
             robust: if task.question.robust { robust(&holes, &goal, &task.part.gyration2())? } else { None },
         })
