@@ -55,7 +55,12 @@ impl Family {
 
     /// Whether `set` holds a wrench at `factor`.
     pub(super) fn is_possible(&self, set: Set, factor: &Q) -> bool {
-        self.is_independent && climb(&IsPossible { contacts: self.at(factor), set }, Rung::Word).0
+        self.is_independent && climb(&IsPossible { contacts: self.at(factor), set, least_dim: 0 }, Rung::Word).0
+    }
+
+    /// Whether `set` has an interior at `factor`.
+    pub(super) fn has_interior(&self, set: Set, factor: &Q) -> bool {
+        self.is_independent && climb(&IsPossible { contacts: self.at(factor), set, least_dim: 3 }, Rung::Word).0
     }
 
     /// Whether `wrench` is in the acyclic set at `factor`.
@@ -63,18 +68,16 @@ impl Family {
         self.is_independent && climb(&HoldsAcyclic { contacts: self.at(factor), wrench }, Rung::Word).0
     }
 
-    /// The cells of `set` at `factor`.
-    pub(super) fn cells(&self, set: Set, factor: &Q) -> Vec<Cone<Z>> {
-        if !self.is_independent {
-            return Vec::new();
-        }
-        cells(set, &self.at(factor)).expect("integers of any size do not overflow")
+    /// The facet normals of each cell of `set` at `factor` that has an interior.
+    pub(super) fn cells(&self, set: Set, factor: &Q) -> Vec<Vec<Vec<Z>>> {
+        if self.is_independent { climb(&Cells { contacts: self.at(factor), set }, Rung::Word).0 } else { Vec::new() }
     }
 }
 
 struct IsPossible {
     contacts: Vec<Contact>,
     set: Set,
+    least_dim: usize,
 }
 
 impl Ladder for IsPossible {
@@ -85,13 +88,19 @@ impl Ladder for IsPossible {
         match self.set {
             Set::Goal => {
                 let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
-                Ok(Outside::of(3, &holes)?.next_piece()?.is_some())
+                let mut pieces = Outside::of(3, &holes)?;
+                while let Some(piece) = pieces.next_piece()? {
+                    if piece.closure().dim() >= self.least_dim {
+                        return Ok(true);
+                    }
+                }
+                Ok(false)
             }
             Set::Acyclic => {
                 let transitions = Transitions::of(&contacts)?;
                 let mut pieces = Outside::of(3, &transitions.loops)?;
                 while let Some(piece) = pieces.next_piece()? {
-                    if transitions.is_acyclic_somewhere(piece)? {
+                    if transitions.is_acyclic_somewhere(piece, self.least_dim)? {
                         return Ok(true);
                     }
                 }
@@ -114,16 +123,30 @@ impl Ladder for HoldsAcyclic<'_> {
     }
 }
 
-fn cells<T: Int>(set: Set, contacts: &[Contact]) -> Result<Vec<Cone<T>>, Overflow> {
-    let contacts = contacts_on_rung::<T>(contacts)?;
-    match set {
-        Set::Goal => {
-            let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
-            complement(3, &holes)
-        }
-        Set::Acyclic => {
-            let transitions = Transitions::of(&contacts)?;
-            Ok(transitions.verdict(complement(3, &transitions.loops)?)?.acyclic)
-        }
+struct Cells {
+    contacts: Vec<Contact>,
+    set: Set,
+}
+
+impl Ladder for Cells {
+    type Output = Vec<Vec<Vec<Z>>>;
+
+    fn run<T: Int>(&self) -> Result<Self::Output, Overflow> {
+        let contacts = contacts_on_rung::<T>(&self.contacts)?;
+        let cells = match self.set {
+            Set::Goal => {
+                let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
+                complement(3, &holes)?
+            }
+            Set::Acyclic => {
+                let transitions = Transitions::of(&contacts)?;
+                transitions.verdict(complement(3, &transitions.loops)?)?.acyclic
+            }
+        };
+        let normals = |cell: &Cone<T>| {
+            let rows = cell.closure().facets().rows();
+            rows.map(|row| row.iter().map(T::to_z).collect()).collect()
+        };
+        Ok(cells.iter().filter(|cell| cell.closure().dim() == 3).map(normals).collect())
     }
 }
