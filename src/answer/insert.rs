@@ -30,6 +30,8 @@ pub struct Insertion {
     /// The wrench with the largest relative margin in `goal`, however it may be applied; `None` if there is none or it
     /// was not asked for.
     pub robust: Option<Robust>,
+    /// The same for `acyclic`; its radius is at least that of `robust`.
+    pub robust_acyclic: Option<Robust>,
     /// How much friction the sets and the plan bear; `None` if it was not asked for.
     pub critical_friction: Option<CriticalFriction>,
     /// What would open `acyclic` where it is empty; `None` if it is not or if critical friction was not asked for.

@@ -1,7 +1,7 @@
 //! Real algebraic numbers: rationals, and simple roots of integer polynomials between two rationals.
 
 use super::bracket::Bracket;
-use super::{Polynomial, Q, Z, ratio, to_f64};
+use super::{Polynomial, Q, Z, approximate, ratio, to_f64};
 use num_traits::{One as _, Signed as _, Zero as _};
 use std::cmp::Ordering;
 
@@ -35,25 +35,6 @@ impl From<Q> for Algebraic {
 }
 
 impl Algebraic {
-    /// The root in a bracket, as a rational if its polynomial is linear or it is zero.
-    pub(super) fn bracketed(bracket: Bracket) -> Self {
-        if let [constant, slope] = bracket.polynomial().coefficients() {
-            return Q::new(-constant, slope.clone()).into();
-        }
-        let mut number = Self { form: Form::Root(bracket) };
-        number.keep_off_zero();
-        number
-    }
-
-    /// Cuts a bracket at zero, so that widths relative to the root can be reached.
-    fn keep_off_zero(&mut self) {
-        let Form::Root(bracket) = &mut self.form else { return };
-        match bracket.compare(&Q::zero()) {
-            Ordering::Equal => self.form = Form::Rational(Q::zero()),
-            side => bracket.cut_at_zero(side),
-        }
-    }
-
     /// A primitive square-free polynomial that is zero here; linear only if the number is known to be rational.
     #[must_use]
     pub fn polynomial(&self) -> Polynomial {
@@ -69,12 +50,10 @@ impl Algebraic {
     /// If `width` is not positive.
     #[must_use]
     pub fn enclosure(&self, width: &Q) -> [Q; 2] {
-        let mut number = self.clone();
-        number.refine(width);
-        number.bounds()
+        self.refined(width).bounds()
     }
 
-    /// The bounds that it is known by now: see [`Algebraic::enclosure`].
+    /// The bounds known so far: [`Algebraic::enclosure`] for some width.
     #[must_use]
     pub fn bounds(&self) -> [Q; 2] {
         match &self.form {
@@ -96,92 +75,52 @@ impl Algebraic {
         }
     }
 
-    /// Divides the width of the bounds by `2^bits`; nothing for a rational.
-    fn halve(&mut self, bits: u32) {
-        if let Form::Root(bracket) = &self.form {
-            let [low, high] = bracket.ends();
-            let width = (high - low) / Q::from(Z::one() << bits);
-            self.refine(&width);
-        }
-    }
-
     /// The number as a rational if it is one, whatever the degree of its polynomial.
     ///
     /// The leading coefficient of an integer polynomial times a rational root is an integer: one candidate is left when
     /// the bounds are close enough.
     #[must_use]
     pub fn rational(&self) -> Option<Q> {
-        let mut number = self.clone();
-        if let Form::Root(bracket) = &self.form {
-            let leading = bracket.polynomial().leading().map(Z::abs).unwrap_or_default();
-            number.refine(&Q::new(Z::one(), leading.clone()));
-            if let Form::Root(bracket) = &number.form {
-                let above = (&bracket.ends()[0] * &leading).floor() + Q::one();
-                let candidate = above / leading;
-                return bracket.compare(&candidate).is_eq().then_some(candidate);
-            }
-        }
-        match number.form {
+        let leading = self.polynomial().leading().map(Z::abs).unwrap_or_default();
+        match self.refined(&Q::new(Z::one(), leading.clone())).form {
             Form::Rational(value) => Some(value),
-            Form::Root(_) => None,
+            Form::Root(bracket) => {
+                let candidate = ((&bracket.ends()[0] * &leading).floor() + Q::one()) / leading;
+                bracket.compare(&candidate).is_eq().then_some(candidate)
+            }
         }
     }
 
-    /// The sign of `polynomial` here.
+    /// The sign of `polynomial` here, as a comparison with zero.
     #[must_use]
     pub fn sign_of(&self, polynomial: &Polynomial) -> Ordering {
-        if let Some(sign) = certain_sign(&polynomial.range_on(&self.bounds())) {
-            return sign;
-        }
-        if self.is_root_of(polynomial) {
-            return Ordering::Equal;
-        }
-        let mut number = self.clone();
-        let mut bits = 2;
-        // the value is not zero, so it is on one side of zero once the bounds are close
-        loop {
-            number.halve(bits);
-            if let Some(sign) = certain_sign(&polynomial.range_on(&number.bounds())) {
-                return sign;
-            }
-            bits *= 2;
-        }
+        self.sign_after(polynomial, 4)
     }
 
-    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
-        match &self.form {
-            Form::Rational(value) => polynomial.sign_at(value).is_eq(),
-            Form::Root(bracket) => {
-                let [low, high] = bracket.ends();
-                has_sign_change(&bracket.polynomial().gcd(polynomial), low, high)
-            }
-        }
-    }
-
-    /// An interval at most `width` wide that holds `numerator / denominator` at this number; `None` if the denominator
-    /// is zero here.
+    /// A rational strictly between this number and a greater one, with a short denominator for the room that there is;
+    /// `None` if `greater` is not greater.
     ///
-    /// # Panics
-    /// If `width` is not positive.
+    /// # Examples
+    /// ```
+    /// use partplan::exact::{Polynomial, ratio};
+    /// let roots = Polynomial::from([-2, 0, 1]).real_roots(..).unwrap();
+    /// assert_eq!(roots[0].before(&roots[1]), Some(ratio(0, 1)));
+    /// assert_eq!(roots[1].before(&roots[0]), None);
+    /// ```
     #[must_use]
-    pub fn image(&self, numerator: &Polynomial, denominator: &Polynomial, width: &Q) -> Option<[Q; 2]> {
-        assert!(width.is_positive(), "an enclosure needs a positive width");
-        let mut number = self.clone();
-        if number.is_root_of(denominator) {
+    pub fn before(&self, greater: &Self) -> Option<Q> {
+        if self >= greater {
             return None;
         }
-        let mut bits = 2;
-        // the denominator is not zero, so both ranges shrink to their values
+        let (mut a, mut b) = (self.clone(), greater.clone());
+        // bounds of different numbers part
         loop {
-            let bounds = number.bounds();
-            let image = quotient(&numerator.range_on(&bounds), &denominator.range_on(&bounds));
-            if let Some([low, high]) = image
-                && &high - &low <= *width
-            {
-                return Some([low, high]);
+            let ([_, low], [high, _]) = (a.bounds(), b.bounds());
+            if low < high {
+                let width = &high - &low;
+                return Some(approximate(&((low + high) * ratio(1, 2)), &(width * ratio(1, 4))));
             }
-            number.halve(bits);
-            bits *= 2;
+            (a, b) = (a.halved(4), b.halved(4));
         }
     }
 
@@ -197,59 +136,69 @@ impl Algebraic {
             if &high - &low <= width {
                 return to_f64(&((low + high) * ratio(1, 2)));
             }
-            if width.is_zero() { number.halve(8) } else { number.refine(&width) }
+            number = if width.is_zero() { number.halved(8) } else { number.refined(&width) };
         }
     }
 }
 
-/// The sign of every number in the interval, if it is one.
-fn certain_sign([low, high]: &[Q; 2]) -> Option<Ordering> {
-    let sign = low.cmp(&Q::zero());
-    (sign == high.cmp(&Q::zero())).then_some(sign)
-}
-
-/// The quotients of numbers from two intervals; `None` if the divisor may be zero.
-fn quotient(dividend: &[Q; 2], divisor: &[Q; 2]) -> Option<[Q; 2]> {
-    certain_sign(divisor).filter(|sign| sign.is_ne())?;
-    let [low, high] = divisor;
-    let mut ends: Vec<Q> = dividend.iter().flat_map(|end| [end / low, end / high]).collect();
-    ends.sort();
-    Some([ends[0].clone(), ends[3].clone()])
-}
-
-fn has_sign_change(polynomial: &Polynomial, low: &Q, high: &Q) -> bool {
-    polynomial.sign_at(low) != polynomial.sign_at(high)
-}
-
-impl Ord for Algebraic {
-    /// Exact: equality is decided by a common factor, order by narrowing until the bounds part.
-    fn cmp(&self, other: &Self) -> Ordering {
-        let (mut a, mut b) = match (&self.form, &other.form) {
-            (Form::Rational(value), _) => return other.order(value).reverse(),
-            (_, Form::Rational(value)) => return self.order(value),
-            _ => (self.clone(), other.clone()),
-        };
-        if a.meets(&b) {
-            return Ordering::Equal;
-        }
-        let mut bits = 2;
-        // the numbers differ, so their bounds part
-        loop {
-            let ([a_low, a_high], [b_low, b_high]) = (a.bounds(), b.bounds());
-            if a_high <= b_low {
-                return Ordering::Less;
-            }
-            if b_high <= a_low {
-                return Ordering::Greater;
-            }
-            a.halve(bits);
-            b.halve(bits);
-            bits *= 2;
-        }
-    }
-}
+/// The step of narrowing before which a common divisor is worth computing: most decisions fall earlier.
+const WORTH_A_DIVISOR: u32 = 16;
 
 impl Algebraic {
+    /// The root in a bracket that is cut at zero, so that widths relative to the root can be reached; a rational if the
+    /// root is zero or the polynomial linear.
+    pub(super) fn bracketed(mut bracket: Bracket) -> Self {
+        if let [constant, slope] = bracket.polynomial().coefficients() {
+            return Q::new(-constant, slope.clone()).into();
+        }
+        match bracket.compare(&Q::zero()) {
+            Ordering::Equal => Q::zero().into(),
+            side => {
+                bracket.cut_at_zero(side);
+                Self { form: Form::Root(bracket) }
+            }
+        }
+    }
+
+    fn refined(&self, width: &Q) -> Self {
+        let mut number = self.clone();
+        number.refine(width);
+        number
+    }
+
+    /// The same number with the width of its bounds divided by `2^bits`.
+    pub(super) fn halved(&self, bits: u32) -> Self {
+        if let Form::Root(bracket) = &self.form {
+            let [low, high] = bracket.ends();
+            return self.refined(&((high - low) / Q::from(Z::one() << bits)));
+        }
+        self.clone()
+    }
+
+    /// Halves the bounds ever more often: what is not zero is on one side of zero once they are close.
+    fn sign_after(&self, polynomial: &Polynomial, bits: u32) -> Ordering {
+        let [low, high] = polynomial.range_on(&self.bounds());
+        let sign = low.cmp(&Q::zero());
+        if sign == high.cmp(&Q::zero()) {
+            return sign;
+        }
+        if bits == WORTH_A_DIVISOR && self.is_root_of(polynomial) {
+            return Ordering::Equal;
+        }
+        self.halved(bits).sign_after(polynomial, 2 * bits)
+    }
+
+    /// Whether the factor shared with the own polynomial has its root here; it is not zero on the ends.
+    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+        match &self.form {
+            Form::Rational(value) => polynomial.sign_at(value).is_eq(),
+            Form::Root(bracket) => {
+                let [low, high] = bracket.ends();
+                has_sign_change(&bracket.polynomial().gcd(polynomial), low, high)
+            }
+        }
+    }
+
     fn order(&self, value: &Q) -> Ordering {
         match &self.form {
             Form::Rational(own) => own.cmp(value),
@@ -257,14 +206,35 @@ impl Algebraic {
         }
     }
 
-    /// Whether both are the same root.
-    ///
-    /// A common factor has at most one root between the inner ends, and none on them: a sign change is that root.
-    fn meets(&self, other: &Self) -> bool {
-        let (Form::Root(a), Form::Root(b)) = (&self.form, &other.form) else { return false };
-        let low = a.ends()[0].clone().max(b.ends()[0].clone());
-        let high = a.ends()[1].clone().min(b.ends()[1].clone());
-        low < high && has_sign_change(&a.polynomial().gcd(b.polynomial()), &low, &high)
+    /// Halves the bounds ever more often: those of different numbers part once they are close.
+    fn order_after(&self, other: &Self, bits: u32) -> Ordering {
+        match (&self.form, &other.form) {
+            (Form::Rational(value), _) => other.order(value).reverse(),
+            (_, Form::Rational(value)) => self.order(value),
+            (Form::Root(a), Form::Root(b)) if a.ends()[1] <= b.ends()[0] => Ordering::Less,
+            (Form::Root(a), Form::Root(b)) if b.ends()[1] <= a.ends()[0] => Ordering::Greater,
+            (Form::Root(a), Form::Root(b)) if bits == WORTH_A_DIVISOR && are_one(a, b) => Ordering::Equal,
+            _ => self.halved(bits).order_after(&other.halved(bits), 2 * bits),
+        }
+    }
+}
+
+fn has_sign_change(polynomial: &Polynomial, low: &Q, high: &Q) -> bool {
+    polynomial.sign_at(low) != polynomial.sign_at(high)
+}
+
+/// Whether overlapping brackets hold the same root.
+///
+/// The common factor has at most one root between the inner ends, and none on them: a sign change is that root.
+fn are_one(a: &Bracket, b: &Bracket) -> bool {
+    let low = (&a.ends()[0]).max(&b.ends()[0]);
+    let high = (&a.ends()[1]).min(&b.ends()[1]);
+    has_sign_change(&a.polynomial().gcd(b.polynomial()), low, high)
+}
+
+impl Ord for Algebraic {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.order_after(other, 4)
     }
 }
 

@@ -4,6 +4,9 @@
 
 mod algebraic;
 mod bracket;
+mod filter;
+mod float_interval;
+mod image;
 mod int;
 mod isolate;
 mod literal;
@@ -12,6 +15,8 @@ mod polynomial;
 mod rational;
 
 pub use algebraic::Algebraic;
+pub use filter::SignFilter;
+pub use float_interval::FloatInterval;
 pub use int::{Int, Ladder, Overflow, Rung, climb};
 pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
 pub use matrix::{Entries, Matrix, on_rung, primitive_row};

@@ -2,6 +2,8 @@
 
 mod closed;
 mod draw;
+mod filter;
+mod images;
 mod numbers;
 mod polynomials;
 #[path = "../support/mod.rs"]

@@ -31,12 +31,14 @@ pub fn product(a: &[Q], b: &[Q]) -> Vec<Q> {
     product
 }
 
-/// `p, p', -rem(p, p'), …` down to the greatest common divisor.
+/// `p, p', -rem(p, p'), …` down to the greatest common divisor, remainders divided by the size of their leading coefficient.
 fn chain(p: &[Q]) -> Vec<Vec<Q>> {
     let mut chain = vec![trimmed(p.to_vec())];
     let mut next = trimmed(p.iter().enumerate().skip(1).map(|(power, c)| c * Q::from_integer(power.into())).collect());
     while !next.is_empty() {
-        let rest = remainder(chain.last().expect("never empty").clone(), &next).into_iter().map(|c| -c).collect();
+        let rest = remainder(chain.last().expect("never empty").clone(), &next);
+        let scale = rest.last().map(|leading| -leading.abs());
+        let rest = rest.iter().zip(scale.iter().cycle()).map(|(c, scale)| c / scale).collect();
         chain.push(std::mem::replace(&mut next, rest));
     }
     chain

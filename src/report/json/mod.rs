@@ -47,6 +47,7 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
         json!({ "goal": sets::arc_set(&answer.goal_tilt), "acyclic": sets::arc_set(&answer.acyclic_tilt) }),
     );
     result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
+    result.insert("robust_acyclic".into(), answer.robust_acyclic.as_ref().map_or(Value::Null, robust));
     let critical = answer.critical_friction.as_ref().map(friction::critical_friction);
     result.insert("critical_friction".into(), critical.unwrap_or(Value::Null));
     let change = answer.nearest_change.as_ref().map(friction::nearest_change);
