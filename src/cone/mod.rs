@@ -8,6 +8,7 @@
 
 pub mod format;
 
+mod adjacent;
 mod bits;
 mod clip;
 mod convert;
@@ -15,6 +16,7 @@ mod cut;
 mod describe;
 mod difference;
 mod faces;
+mod frame;
 mod lattice;
 mod linear;
 mod nearest;

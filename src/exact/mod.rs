@@ -2,9 +2,14 @@
 //!
 //! Nothing outside of this folder names `num_bigint`.
 
+mod big;
+mod double;
+mod gcd;
 mod int;
+mod limbs;
 mod literal;
 mod matrix;
+mod quad;
 mod rational;
 
 pub use int::{Int, Ladder, Overflow, Rung, climb};
