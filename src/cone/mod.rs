@@ -10,6 +10,7 @@ pub mod format;
 
 mod bits;
 mod clip;
+mod combination;
 mod convert;
 mod cut;
 mod describe;
@@ -21,8 +22,10 @@ mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
+mod simplex;
 mod volume;
 
+pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
 pub use difference::{Outside, Split, complement, split, subtract};
 pub use nearest::nearest;

@@ -75,7 +75,7 @@ impl Ladder for Inserting<'_> {
             acyclic_fingers,
             goal_tilt: tilt(&goal)?,
             acyclic_tilt,
-            wrenches: sets.verdicts(task.question)?,
+            wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),
             robust,
             robust_acyclic,

@@ -10,6 +10,7 @@ mod sets;
 mod stability;
 mod to_answer;
 mod transitions;
+mod witness;
 
 pub use insert::insertion;
 pub use sets::{Question, mode_cones};

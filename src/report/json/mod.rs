@@ -5,6 +5,7 @@ mod layout;
 mod number;
 mod polyhedron;
 mod sets;
+mod witness;
 
 pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
@@ -155,6 +156,9 @@ fn verdict(verdict: &WrenchVerdict) -> Value {
         "acyclic": verdict.acyclic,
         "unrefuted": verdict.unrefuted,
         "modes": verdict.modes,
+        "witness": witness::witness(&verdict.witness),
+        "consistent": verdict.witness.consistent.iter().map(|motion| motion.mode.as_str()).collect::<Value>(),
+        "motions": witness::motions(&verdict.witness),
     })
 }
 

@@ -6,6 +6,7 @@ mod insert;
 mod lines;
 mod polyhedron;
 mod stable;
+mod witness;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;
