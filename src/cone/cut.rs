@@ -6,6 +6,7 @@ use super::describe::{Simplex, Stop, describe};
 use super::frame::Frame;
 use super::lattice::incidence;
 use super::linear::{Echelon, echelon, is_zero};
+use super::primal_dual::PrimalDual;
 use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
@@ -32,15 +33,38 @@ pub(super) struct Cut<T> {
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
 pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Cut<T>, Overflow> {
+    match cut(equalities, normals, &mut by_either) {
+        Ok(cut) => Ok(cut),
+        Err(Stop::Overflow) => Err(Overflow),
+        Err(Stop::Flat(_) | Stop::Effort) => unreachable!("flat cones are cut again, and effort is not limited"),
+    }
+}
+
+/// The same by double description alone, while its effort is no more than what is left of `allowed`.
+///
+/// # Errors
+/// [`Stop::Overflow`] or [`Stop::Effort`].
+pub(super) fn cut_within<T: Int>(normals: &Matrix<T>, allowed: &mut u64) -> Result<Cut<T>, Stop> {
+    cut(&Matrix::new(normals.columns()), normals, &mut |normals, start| {
+        let (parts, effort) = by_description(normals, start, *allowed, &mut |_| Err(Stop::Effort))?;
+        *allowed -= effort;
+        Ok(parts)
+    })
+}
+
+/// Finds the facets, by their indices, and the rays of a pointed cone of full dimension.
+type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> + 'a;
+
+fn cut<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>, method: &mut Method<T>) -> Result<Cut<T>, Stop> {
     let mut equalities = echelon(equalities)?;
     loop {
         let rows = distinct(&equalities, normals)?;
-        match attempt(&equalities, &rows) {
+        match attempt(&equalities, &rows, method) {
             Ok((lines, facets, rays)) => {
                 let facets = Matrix::from_rows(rows.columns(), facets.into_iter().map(|row| rows.row(row)));
                 return Ok(Cut { equalities: equalities.rows, facets, lines, rays });
             }
-            Err(Stop::Overflow) => return Err(Overflow),
+            Err(stop @ (Stop::Overflow | Stop::Effort)) => return Err(stop),
             Err(Stop::Flat(flat)) => {
                 equalities.rows.push(rows.row(flat));
                 equalities = echelon(&equalities.rows)?;
@@ -75,35 +99,68 @@ fn by_magnitude<T: Int>(a: &T, b: &T) -> Ordering {
 type Parts<T> = (Matrix<T>, Vec<usize>, Matrix<T>);
 
 /// [`Stop::Flat`] if the cone turns out to lie in a hyperplane: the caller starts again with an equality.
-fn attempt<T: Int>(equalities: &Echelon<T>, rows: &Matrix<T>) -> Result<Parts<T>, Stop> {
+fn attempt<T: Int>(equalities: &Echelon<T>, rows: &Matrix<T>, method: &mut Method<T>) -> Result<Parts<T>, Stop> {
     let outer = Frame::without_pivots(equalities);
     let normals = outer.restricted(rows);
     let Start { lines, mut rays, basis } = absorb_lines(&normals)?;
     if lines.is_empty() {
-        let (facets, rays) = pointed(&normals, Simplex { rays, basis })?;
+        let (facets, rays) = method(&normals, Simplex { rays, basis })?;
         return Ok((Matrix::new(rows.columns()), facets, outer.lifted(&rays)?));
     }
     let lines = echelon(&lines)?;
     let inner = Frame::without_pivots(&lines);
     lines.reduce_all(&mut rays)?;
     let start = Simplex { rays: inner.restricted(&rays), basis };
-    let (facets, rays) = pointed(&inner.restricted(&normals), start)?;
+    let (facets, rays) = method(&inner.restricted(&normals), start)?;
     let lines = echelon(&outer.lifted(&lines.rows)?)?;
     let mut rays = outer.lifted(&inner.padded(&rays))?;
     lines.reduce_all(&mut rays)?;
     Ok((lines.rows, facets, rays))
 }
 
-/// Indices of the facets, and the rays, of a pointed cone of full dimension.
-fn pointed<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> {
+/// Effort after which the primal-dual method is tried as well, for a share of what double description takes from there.
+const EASY: u64 = 1 << 21;
+const SHARE: u64 = 1;
+
+/// By double description, unless that takes long and the primal-dual method ends with far less effort.
+///
+/// The choice depends on counts alone, so that it is the same in every run. Between them the two take at most
+/// `1 + 2 / SHARE` times the effort of double description.
+fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> {
+    let mut other: Option<PrimalDual<T>> = None;
+    let mut answer = None;
+    let origin = (normals.len() > start.basis.len() && start.basis.len() > 3).then(|| start.clone());
+    let found = by_description(normals, start, EASY, &mut |effort| {
+        if let Some(origin) = &origin {
+            let other = match &mut other {
+                Some(other) => other,
+                None => other.insert(PrimalDual::new(normals, origin)?),
+            };
+            answer = other.run(effort / SHARE)?;
+        }
+        if answer.is_some() { Err(Stop::Effort) } else { Ok(2 * effort) }
+    });
+    match (found, answer) {
+        (Err(Stop::Effort), Some(answer)) => Ok(answer),
+        (found, _) => found.map(|(parts, _)| parts),
+    }
+}
+
+/// By double description; with its effort.
+fn by_description<T: Int>(
+    normals: &Matrix<T>,
+    start: Simplex<T>,
+    allowed: u64,
+    allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
+) -> Result<((Vec<usize>, Matrix<T>), u64), Stop> {
     if start.basis.len() == 3 {
         let others = (0..normals.len()).filter(|row| !start.basis.contains(row));
         let rays = clip(start.rays, normals, others)?.map_err(Stop::Flat)?;
-        return Ok((facets(&incidence(normals, &rays)?, rays.len()), rays));
+        return Ok(((facets(&incidence(normals, &rays)?, rays.len()), rays), 0));
     }
-    let found = describe(start, normals)?;
+    let found = describe(start, normals, allowed, allow)?;
     let facets = facets(&found.on.transposed(found.cuts.len()), found.rays.len());
-    Ok((facets.into_iter().map(|cut| found.cuts[cut]).collect(), found.rays))
+    Ok(((facets.into_iter().map(|cut| found.cuts[cut]).collect(), found.rays), found.effort))
 }
 
 /// One normal for each facet: those whose ray sets are proper and maximal.

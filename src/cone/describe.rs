@@ -7,6 +7,7 @@ use crate::exact::{Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
 /// A simplicial cone cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
+#[derive(Clone)]
 pub(super) struct Simplex<T> {
     pub(super) rays: Matrix<T>,
     pub(super) basis: Vec<usize>,
@@ -19,7 +20,12 @@ pub(super) struct Description<T> {
     pub(super) cuts: Vec<usize>,
     /// For each ray the members of `cuts`, by their places in it, that it lies on.
     pub(super) on: BitRows,
+    /// How much it took: pairs of rays looked at, and [`COMBINED`] for each entry of a ray computed.
+    pub(super) effort: u64,
 }
+
+/// Effort of computing an entry of a ray, in pairs of rays looked at.
+const COMBINED: usize = 16;
 
 /// Why a cone of full dimension was not described.
 pub(super) enum Stop {
@@ -27,6 +33,8 @@ pub(super) enum Stop {
     Flat(usize),
     /// A primitive row does not fit the integers in use.
     Overflow,
+    /// It would take more effort than allowed.
+    Effort,
 }
 
 impl From<Overflow> for Stop {
@@ -35,11 +43,18 @@ impl From<Overflow> for Stop {
     }
 }
 
-/// Cuts a simplicial cone by the other normals in their order, none of them zero.
+/// Cuts a simplicial cone by the other normals in their order, none of them zero. When its effort is to exceed `allowed`,
+/// `allow` gives a new limit or ends it.
 ///
 /// # Errors
-/// [`Stop`], for either reason.
-pub(super) fn describe<T: Int>(start: Simplex<T>, normals: &Matrix<T>) -> Result<Description<T>, Stop> {
+/// [`Stop`], for any of its reasons.
+pub(super) fn describe<T: Int>(
+    start: Simplex<T>,
+    normals: &Matrix<T>,
+    mut allowed: u64,
+    allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
+) -> Result<Description<T>, Stop> {
+    let mut effort = 0;
     let Simplex { mut rays, basis } = start;
     let needed = basis.len().saturating_sub(2);
     let mut on = BitRows::new(basis.len());
@@ -57,14 +72,19 @@ pub(super) fn describe<T: Int>(start: Simplex<T>, normals: &Matrix<T>) -> Result
         if step.inside.is_empty() {
             return Err(Stop::Flat(row));
         }
+        effort += (step.inside.len() * step.outside.len() + rays.len()) as u64;
+        if effort > allowed {
+            allowed = allow(effort)?;
+        }
         let cut = cuts.len();
         cuts.push(row);
         on.widen(cuts.len());
         step.level.iter().for_each(|ray| on.insert(*ray, cut));
         step.cross(&rays, &on, cut, needed)?;
+        effort += (COMBINED * step.fresh.len() * normals.columns()) as u64;
         step.replace(&mut rays, &mut on);
     }
-    Ok(Description { rays, cuts, on })
+    Ok(Description { rays, cuts, on, effort })
 }
 
 fn marked(universe: usize, members: &[usize]) -> Vec<bool> {

@@ -24,8 +24,10 @@ mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
+mod primal_dual;
 mod simplex;
 mod volume;
+mod walk;
 
 pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
