@@ -1,15 +1,17 @@
 //! JSON documents as FORMATS.md names them.
 
+mod friction;
 mod layout;
 mod number;
 mod polyhedron;
 mod sets;
+mod witness;
 
 pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 
 use super::Subject;
-use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
+use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};
 use crate::exact::to_f64;
 use number::{integers, rational, rationals};
 use serde_json::{Map, Value, json};
@@ -46,6 +48,11 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
         json!({ "goal": sets::arc_set(&answer.goal_tilt), "acyclic": sets::arc_set(&answer.acyclic_tilt) }),
     );
     result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
+    result.insert("robust_acyclic".into(), answer.robust_acyclic.as_ref().map_or(Value::Null, robust));
+    let critical = answer.critical_friction.as_ref().map(friction::critical_friction);
+    result.insert("critical_friction".into(), critical.unwrap_or(Value::Null));
+    let change = answer.nearest_change.as_ref().map(friction::nearest_change);
+    result.insert("nearest_change".into(), change.unwrap_or(Value::Null));
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));
@@ -97,8 +104,10 @@ pub fn judged_cones(subject: &Subject, modes: &[(String, Cone)], wrenches: &[Wre
 
 /// The document of a command that reached its limit before an answer.
 #[must_use]
-pub fn undecided(subject: &Subject, schema: &str) -> Value {
-    envelope(subject, schema, "undecided", context(subject))
+pub fn undecided(subject: &Subject, schema: &str, reached: Limit) -> Value {
+    let mut result = context(subject);
+    result.insert("limit".to_owned(), reached.name().into());
+    envelope(subject, schema, "undecided", result)
 }
 
 fn envelope(subject: &Subject, schema: &str, status: &str, result: Map<String, Value>) -> Value {
@@ -147,6 +156,9 @@ fn verdict(verdict: &WrenchVerdict) -> Value {
         "acyclic": verdict.acyclic,
         "unrefuted": verdict.unrefuted,
         "modes": verdict.modes,
+        "witness": witness::witness(&verdict.witness),
+        "consistent": verdict.witness.consistent.iter().map(|motion| motion.mode.as_str()).collect::<Value>(),
+        "motions": witness::motions(&verdict.witness),
     })
 }
 
