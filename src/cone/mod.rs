@@ -24,6 +24,7 @@ mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
+mod simple;
 mod simplex;
 mod volume;
 

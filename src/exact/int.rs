@@ -5,7 +5,7 @@
 //! type and combined in twice as many bits or more, so a rung overflows when a primitive result does not fit it, hardly
 //! ever because of an intermediate.
 
-use super::gcd::gcd64;
+use super::gcd::word_gcd;
 use super::{Entries, Z};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
@@ -185,7 +185,7 @@ impl Int for i64 {
         for value in row.iter() {
             let rest = value.unsigned_abs() % divisor;
             if rest != 0 {
-                divisor = gcd64(divisor, rest);
+                divisor = word_gcd(divisor, rest);
                 if divisor == 1 {
                     return;
                 }

@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// Words of one number.
-pub(super) type Limbs = SmallVec<[u64; 24]>;
+pub(super) type Limbs = SmallVec<[u64; 8]>;
 
 pub(super) fn trim(words: &mut Limbs) {
     while words.last() == Some(&0) {
