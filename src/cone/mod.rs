@@ -21,6 +21,7 @@ mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
+mod spatial;
 mod volume;
 
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};

@@ -4,6 +4,7 @@ use super::bits::{BitRows, count, has, is_subset};
 use super::cut::cut_space;
 use super::lattice::{all_faces, incidence};
 use super::linear::{Echelon, dot_sign, echelon, is_zero};
+use super::spatial::Shape;
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A closed polyhedral cone by its face normals and by its generators, both minimal and canonical.
@@ -34,6 +35,9 @@ impl<T: Int> Pair<T> {
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_normals(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Self, Overflow> {
+        if normals.columns() == 3 {
+            return Shape::of(equalities, normals)?.pair(normals);
+        }
         let cut = cut_space(equalities, normals)?;
         let lines = echelon(&cut.lines)?;
         let rays = canonical_rows(&lines, cut.rays.rows())?;
@@ -47,6 +51,16 @@ impl<T: Int> Pair<T> {
         let facets = facet_rows(&on, rays.len());
         let facets = canonical_rows(&equalities, facets.into_iter().map(|row| normals.row(row)))?;
         Ok(Self { equalities: equalities.rows, facets, lines: lines.rows, rays })
+    }
+
+    /// The cone with these forms, which are minimal, canonical and describe the same set.
+    pub(super) fn of_parts(equalities: Matrix<T>, facets: Matrix<T>, lines: Matrix<T>, rays: Matrix<T>) -> Self {
+        Self { equalities, facets, lines, rays }
+    }
+
+    /// Lines and rays.
+    pub(super) fn into_generators(self) -> Generators<T> {
+        Generators { lines: self.lines, rays: self.rays }
     }
 
     /// The cone that `generators` span.

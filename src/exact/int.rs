@@ -5,7 +5,7 @@
 //! type and combined in 128 bits or more, so a rung overflows when a primitive result does not fit it or a dot product
 //! does not fit 127 bits, hardly ever because of an intermediate.
 
-use super::{Entries, Z};
+use super::{Entries, Minors, Z};
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, Zero as _};
 use std::cmp::Ordering;
@@ -56,7 +56,7 @@ pub fn climb<J: Ladder>(job: &J, lowest: Rung) -> (J::Output, Rung) {
 }
 
 /// Integer entries of primitive rows; the least value of a machine type (`i64::MIN`) is not one of them.
-pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
+pub trait Int: Minors + Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     /// Holds a dot product of two rows.
     type Wide: Clone + Debug;
 
