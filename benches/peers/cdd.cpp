@@ -8,6 +8,10 @@ extern "C" {
 #include <cddlib/cdd.h>
 }
 
+static bool is_at_infinity(const mytype* row, std::size_t columns) {
+    return std::all_of(row + 1, row + columns, [](const mytype& entry) { return mpq_sgn(entry) == 0; });
+}
+
 int main(int, char** argv) {
     const Rows given = read_rows(argv[1]);
     dd_set_global_constants();
@@ -29,7 +33,13 @@ int main(int, char** argv) {
         dd_ErrorType error;
         dd_PolyhedraPtr polyhedron = dd_DDMatrix2Poly(matrix, &error);
         dd_MatrixPtr other = given.inequalities ? dd_CopyGenerators(polyhedron) : dd_CopyInequalities(polyhedron);
-        const Size size{std::size_t(other->rowsize - set_card(other->linset)), std::size_t(set_card(other->linset))};
+        Size size{0, std::size_t(set_card(other->linset))};
+        for (long row = 0; row < other->rowsize; ++row) {
+            if (set_member(row + 1, other->linset)) continue;
+            const bool is_left_out = given.inequalities ? given.cone && mpq_sgn(other->matrix[row][0]) != 0
+                                                        : is_at_infinity(other->matrix[row], columns);
+            if (!is_left_out) ++size.rows;
+        }
         dd_FreeMatrix(other);
         dd_FreePolyhedra(polyhedron);
         return size;

@@ -6,6 +6,10 @@
 
 using namespace libnormaliz;
 
+static bool is_at_infinity(const std::vector<mpz_class>& row) {
+    return std::all_of(row.begin() + 1, row.end(), [](const mpz_class& entry) { return entry == 0; });
+}
+
 int main(int, char** argv) {
     const Rows given = read_rows(argv[1]);
     const std::size_t skipped = given.cone ? 1 : 0;
@@ -36,6 +40,8 @@ int main(int, char** argv) {
             return Size{cone.getExtremeRays().size(), cone.getMaximalSubspace().size()};
         }
         cone.compute(ConeProperty::SupportHyperplanes);
-        return Size{cone.getSupportHyperplanes().size(), cone.getEquations().size()};
+        const auto& facets = cone.getSupportHyperplanes();
+        const auto at_infinity = given.cone ? 0 : std::count_if(facets.begin(), facets.end(), is_at_infinity);
+        return Size{facets.size() - std::size_t(at_infinity), cone.getEquations().size()};
     });
 }

@@ -1,7 +1,8 @@
 // What every peer's driver shares: the rows of one instance, and the CPU time that a conversion takes.
 //
 // Usage of a driver: NAME ROWS. It prints the median CPU time of one conversion in microseconds and how many rows the
-// result has, linear ones apart: "MICROSECONDS ROWS LINEAR". More than CAP seconds of CPU time (60 by default) end it.
+// result has, linear ones apart: "MICROSECONDS ROWS LINEAR". Neither the apex of a cone counts nor the facet at infinity,
+// which some programs list and others do not. More than CAP seconds of CPU time (60 by default) end a driver.
 
 #pragma once
 
@@ -59,7 +60,8 @@ inline double cpu_seconds() {
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// Prints the median of nine samples of at least 4 ms each; of fewer when one conversion is long.
+// Prints the median of five samples of at least 40 ms each, since some clocks tick every 4 ms; of fewer when one
+// conversion is long.
 template <class Convert>
 int report(Convert convert) {
     const char* cap = std::getenv("CAP");
@@ -72,13 +74,13 @@ int report(Convert convert) {
     const double first = cpu_seconds() - start;
     std::vector<double> samples;
     if (first > 2.0) samples.push_back(first);
-    const std::size_t count = first > 2.0 ? 0 : first > 0.2 ? 3 : 9;
+    const std::size_t count = first > 2.0 ? 0 : first > 0.2 ? 3 : 5;
     std::size_t repeats = 1;
     for (double spent = 0.0; count > 0;) {
         start = cpu_seconds();
         for (std::size_t k = 0; k < repeats; ++k) convert();
         spent = cpu_seconds() - start;
-        if (spent >= 0.004) break;
+        if (spent >= 0.04) break;
         repeats *= 2;
     }
     for (std::size_t k = 0; k < count; ++k) {

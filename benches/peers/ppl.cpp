@@ -37,6 +37,7 @@ int main(int, char** argv) {
             ppl::C_Polyhedron polyhedron(constraints);
             Size size{0, 0};
             for (const auto& generator : polyhedron.minimized_generators()) {
+                if (given.cone && generator.is_point()) continue;
                 ++(generator.is_line() ? size.linear : size.rows);
             }
             return size;

@@ -2,8 +2,8 @@
 
 use num_traits::Zero as _;
 use partplan::cone::format::read;
-use partplan::cone::{Pair, Polyhedron, Representation};
-use partplan::exact::{Int, Ladder, Matrix, Overflow, Rung, Z, climb, primitive_row};
+use partplan::cone::{Extras, Pair, Polyhedron, Representation, convert};
+use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row};
 use std::any::Any;
 use std::fs;
 use std::hint::black_box;
@@ -17,7 +17,8 @@ pub struct Instance {
     columns: usize,
 }
 
-/// How many rows the minimal form found has, linear ones apart.
+/// How many rows the minimal form found has, linear ones apart. Neither the apex of a cone counts nor the facet at infinity,
+/// which some programs list and others do not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size {
     pub rows: usize,
@@ -90,8 +91,26 @@ impl Instance {
         self.rows.iter().all(|(_, row)| row[0].is_zero())
     }
 
+    /// What the conversion finds.
+    pub fn size(&self) -> Size {
+        let row = |row: &(bool, Vec<Z>)| {
+            let divisor = if self.representation == Representation::Inequalities || row.1[0].is_zero() {
+                Z::from(1)
+            } else {
+                row.1[0].clone()
+            };
+            row.1.iter().map(|entry| Q::new(entry.clone(), divisor.clone())).collect()
+        };
+        let linear: Vec<usize> = (0..self.rows.len()).filter(|index| self.rows[*index].0).collect();
+        let rows = self.rows.iter().map(row).collect();
+        let found = convert(&Polyhedron::new(self.representation, self.columns, rows, &linear), Extras::default());
+        let (linear, rows) = (found.polyhedron.linear().len(), found.polyhedron.rows());
+        let apex = usize::from(self.is_cone() && self.representation == Representation::Inequalities);
+        Size { rows: rows.len().saturating_sub(linear + apex), linear }
+    }
+
     /// A conversion to time, its rows already in the integers of every rung that holds them.
-    pub fn conversion(&self) -> impl Fn() -> Size {
+    pub fn conversion(&self) -> impl Fn() {
         let is_cone = self.is_cone();
         let is_inequalities = self.representation == Representation::Inequalities;
         let skipped = usize::from(is_cone);
@@ -106,7 +125,9 @@ impl Instance {
             others.push((0..columns).map(|column| Z::from(if column == 0 { -1 } else { 0 })).collect());
         }
         let normals = Normals::new(columns, &linear, &others);
-        move || climb(&normals, Rung::Word).0
+        move || {
+            climb(&normals, Rung::Word);
+        }
     }
 }
 
@@ -139,14 +160,14 @@ fn rows<T: Int>(columns: usize, linear: &[Vec<Z>], others: &[Vec<Z>]) -> Option<
 }
 
 impl Ladder for Normals {
-    type Output = Size;
+    type Output = ();
 
-    fn run<T: Int>(&self) -> Result<Size, Overflow> {
+    fn run<T: Int>(&self) -> Result<(), Overflow> {
         let rungs: [&dyn Any; 3] = [&self.word, &self.double, &self.big];
         let rows = rungs.into_iter().find_map(|rows| rows.downcast_ref::<Option<Rows<T>>>());
         let (linear, others) = rows.and_then(Option::as_ref).ok_or(Overflow)?;
-        let pair = black_box(Pair::from_normals(linear, others)?);
-        Ok(Size { rows: pair.rays().len(), linear: pair.lines().len() })
+        black_box(Pair::from_normals(linear, others)?);
+        Ok(())
     }
 }
 

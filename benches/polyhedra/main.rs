@@ -39,7 +39,8 @@ fn main() {
     let args = Args::parse();
     if let Some(path) = &args.one {
         let instance = Instance::from_rows(&fs::read_to_string(path).expect("a readable file of rows"));
-        let (microseconds, size) = timing::median(instance.conversion());
+        let microseconds = timing::median(instance.conversion());
+        let size = instance.size();
         println!("{microseconds:.4} {} {}", size.rows, size.linear);
         return;
     }

@@ -30,6 +30,8 @@ pub struct Insertion {
     /// The wrench with the largest relative margin in `goal`, however it may be applied; `None` if there is none or it
     /// was not asked for.
     pub robust: Option<Robust>,
+    /// The same for `acyclic`; its radius is at least that of `robust`.
+    pub robust_acyclic: Option<Robust>,
     /// Verdicts on the wrenches that were asked about.
     pub wrenches: Vec<WrenchVerdict>,
     /// Cones of the modes that were asked for, in the order asked.

@@ -1,9 +1,11 @@
 //! What the planners return: data only, exact, ready to be checked and reported.
 
 mod insert;
+mod limit;
 mod polyhedron;
 mod region;
 
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
+pub use limit::Limit;
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};

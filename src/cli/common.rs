@@ -1,5 +1,6 @@
 //! Arguments that the commands share.
 
+use super::limit::Limits;
 use super::output::Format;
 use clap::builder::NonEmptyStringValueParser;
 use partplan::exact::{LiteralError, Q, parse_literal};
@@ -7,7 +8,6 @@ use partplan::mechanics::Mode;
 use partplan::planner::Question;
 use std::io::IsTerminal as _;
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// What is read, how far, and how the answer is written.
 #[derive(Debug, clap::Args)]
@@ -32,9 +32,8 @@ pub struct Common {
     #[arg(long, value_enum, default_value_t = When::Auto, value_name = "WHEN")]
     pub color: When,
 
-    /// Longest time to plan in; exit status 3 when it is over
-    #[arg(long, value_name = "SECONDS", default_value = "600", value_parser = seconds)]
-    pub time_limit: Duration,
+    #[command(flatten)]
+    pub limits: Limits,
 
     /// Largest number of fixels accepted
     #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().fixels)]
@@ -72,7 +71,7 @@ impl Common {
     }
 
     /// Bounds on the case.
-    pub fn limits(&self) -> partplan::case::Limits {
+    pub fn case_limits(&self) -> partplan::case::Limits {
         partplan::case::Limits { bytes: self.max_bytes, vertices: self.max_vertices, fixels: self.max_fixels }
     }
 }
@@ -99,12 +98,6 @@ impl When {
             }
         }
     }
-}
-
-/// Reads a time limit.
-pub fn seconds(text: &str) -> Result<Duration, String> {
-    let number: f64 = text.parse().map_err(|_| "expected a number of seconds, 0.5 or 60 for instance".to_owned())?;
-    Duration::try_from_secs_f64(number).map_err(|_| "a time is not negative and not endless".to_owned())
 }
 
 /// Reads `fx,fy,torque`.

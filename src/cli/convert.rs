@@ -1,14 +1,14 @@
 //! `plan convert`: polyhedra from inequalities to generators and back.
 
+use super::limit::Limits;
 use super::output::Format;
-use super::{Failure, Outcome, common, input, limit, output};
+use super::{Failure, Outcome, input, limit, output};
 use clap::builder::NonEmptyStringValueParser;
 use partplan::answer::{Polyhedron, RowFates};
 use partplan::cone::{self, Converted, Extras, format};
 use partplan::report;
 use std::collections::HashSet;
 use std::io::Write;
-use std::time::Duration;
 
 /// Convert a polyhedron between inequalities and generators, exactly
 ///
@@ -43,9 +43,8 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 
-    /// Longest time to convert in; exit status 3 when it is over
-    #[arg(long, value_name = "SECONDS", default_value = "600", value_parser = common::seconds)]
-    time_limit: Duration,
+    #[command(flatten)]
+    limits: Limits,
 
     /// Largest file accepted, in bytes
     #[arg(long, value_name = "N", default_value_t = 16 << 20)]
@@ -71,9 +70,13 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     }
     let name = input::stem(&args.file);
     let wish = Wish { redundancy: args.redundancy, variables: args.project.clone(), extras: args.extras() };
-    let Some(found) = limit::within(args.time_limit, move || wish.fulfil(&bytes)) else {
-        limit::say_over(args.time_limit, args.format, || report::json::undecided_polyhedron(&name), out)?;
-        return Ok(limit::OVER);
+    let found = match args.limits.within(move || wish.fulfil(&bytes)) {
+        Ok(found) => found,
+        Err(reached) => {
+            let document = || report::json::undecided_polyhedron(&name, reached);
+            args.limits.say_reached(reached, args.format, document, out)?;
+            return Ok(limit::OVER);
+        }
     };
     let (converted, warnings) = found.map_err(|refusal| refusal.into_failure(shown))?;
     for warning in &warnings {

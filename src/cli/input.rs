@@ -30,7 +30,7 @@ pub fn task(common: &Common) -> Result<Task, Failure> {
     let shown = if common.case == "-" { "standard input" } else { &common.case };
     let bytes = bytes(&common.case, common.max_bytes, "part.json")?;
     let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
-    let mut case = case::read(&bytes, &common.limits()).map_err(|faults| refuse(&faults))?;
+    let mut case = case::read(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
     let fixture = case.fixture.take().ok_or_else(|| refuse(&[case::missing_section("insert")]))?;
     for warning in &case.warnings {
         output::complain(&format!("warning: {shown}: {warning}"));

@@ -12,7 +12,8 @@ fn run(arguments: &[&str], input: &str) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    run.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    // arguments may be refused before the input is read
+    let _ = run.stdin.take().unwrap().write_all(input.as_bytes());
     run.wait_with_output().unwrap()
 }
 
@@ -72,5 +73,18 @@ fn a_time_limit_ends_a_conversion_undecided() {
     assert_eq!(out, "undecided: no answer within 0.05 s; --time-limit allows more\n");
     let (status, out, _) = texts(&run(&["--time-limit", "0.05", "--format", "json"], &cyclic(60, 16)));
     assert_eq!(status, Some(3));
-    assert!(out.contains("\"status\": \"undecided\""), "{out}");
+    assert!(out.contains("\"status\": \"undecided\"") && out.contains("\"limit\":\"time\""), "{out}");
+}
+
+#[test]
+fn a_memory_limit_ends_a_conversion_undecided() {
+    let (status, out, err) = texts(&run(&["--memory-limit", "1MiB"], &cyclic(60, 16)));
+    assert_eq!((status, err.as_str()), (Some(3), ""));
+    assert_eq!(out, "undecided: no answer within 1.0 MiB of memory; --memory-limit allows more\n");
+    let (status, out, _) = texts(&run(&["--memory-limit", "1MiB", "--format", "json"], &cyclic(60, 16)));
+    assert_eq!(status, Some(3));
+    assert!(out.contains("\"status\": \"undecided\"") && out.contains("\"limit\":\"memory\""), "{out}");
+    let (status, out, err) = texts(&run(&["--memory-limit", "much"], "begin\n1 2 integer\n1 0\nend\n"));
+    assert_eq!((status, out.as_str()), (Some(2), ""));
+    assert!(err.contains("expected a size, 500MB or 2GiB for instance"), "{err}");
 }

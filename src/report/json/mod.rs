@@ -9,7 +9,7 @@ pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 
 use super::Subject;
-use crate::answer::{Action, Cone, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
+use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};
 use crate::exact::to_f64;
 use number::{integers, rational, rationals};
 use serde_json::{Map, Value, json};
@@ -46,6 +46,7 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
         json!({ "goal": sets::arc_set(&answer.goal_tilt), "acyclic": sets::arc_set(&answer.acyclic_tilt) }),
     );
     result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
+    result.insert("robust_acyclic".into(), answer.robust_acyclic.as_ref().map_or(Value::Null, robust));
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));
@@ -97,8 +98,10 @@ pub fn judged_cones(subject: &Subject, modes: &[(String, Cone)], wrenches: &[Wre
 
 /// The document of a command that reached its limit before an answer.
 #[must_use]
-pub fn undecided(subject: &Subject, schema: &str) -> Value {
-    envelope(subject, schema, "undecided", context(subject))
+pub fn undecided(subject: &Subject, schema: &str, reached: Limit) -> Value {
+    let mut result = context(subject);
+    result.insert("limit".to_owned(), reached.name().into());
+    envelope(subject, schema, "undecided", result)
 }
 
 fn envelope(subject: &Subject, schema: &str, status: &str, result: Map<String, Value>) -> Value {

@@ -1,7 +1,7 @@
 //! The document of `plan convert`.
 
 use super::number::rationals;
-use crate::answer::Polyhedron;
+use crate::answer::{Limit, Polyhedron};
 use serde_json::{Map, Value, json};
 
 /// Schema of `plan convert`.
@@ -34,8 +34,8 @@ pub fn polyhedron(name: &str, warnings: &[String], answer: &Polyhedron) -> Value
 
 /// The document of a conversion that reached its limit.
 #[must_use]
-pub fn undecided_polyhedron(name: &str) -> Value {
-    envelope(name, "undecided", Map::new())
+pub fn undecided_polyhedron(name: &str, reached: Limit) -> Value {
+    envelope(name, "undecided", Map::from_iter([("limit".to_owned(), reached.name().into())]))
 }
 
 fn envelope(name: &str, status: &str, result: Map<String, Value>) -> Value {

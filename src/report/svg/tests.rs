@@ -55,6 +55,7 @@ fn answer(plan: Option<Action>) -> Insertion {
         wrenches: Vec::new(),
         modes: Vec::new(),
         robust: None,
+        robust_acyclic: None,
     }
 }
 
