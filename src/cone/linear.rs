@@ -69,7 +69,11 @@ pub(super) fn cross<T: Int>(a: &[T], b: &[T], out: &mut Entries<T>) -> Result<()
     T::primitive(&[minor(1, 2)?, minor(2, 0)?, minor(0, 1)?], out)
 }
 
+/// Sign of `a · b`; in three dimensions it is known whatever the size of the entries.
 pub(super) fn dot_sign<T: Int>(a: &[T], b: &[T]) -> Result<Ordering, Overflow> {
+    if let (Ok(a), Ok(b)) = (a.try_into(), b.try_into()) {
+        return Ok(T::side_of(a, b));
+    }
     T::dot(a, b).map(|value| T::wide_sign(&value))
 }
 

@@ -26,6 +26,7 @@ mod volume;
 
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
 pub use difference::{Split, complement, split, subtract};
+pub use faces::Face;
 pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};

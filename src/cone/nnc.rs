@@ -2,11 +2,11 @@
 
 use super::bits::count;
 use super::cut::cut_space;
-use super::faces::{Summand, faces_of_strict_normals, missing_faces, rays_of_missing};
+use super::faces::{Face, Summand, faces_of_strict_normals, missing_faces, rays_of_missing};
 use super::lattice::incidence;
 use super::linear::{dot_sign, positive_combination};
 use super::pair::{Generators, Pair};
-use super::spatial::Shape;
+use super::spatial::{Ring, Shape};
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A system of linear conditions on `x`.
@@ -52,7 +52,7 @@ impl<T: Int> HalfSpaces<T> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cone<T> {
     closure: Pair<T>,
-    missing: Vec<Vec<usize>>,
+    missing: Vec<Face>,
 }
 
 impl<T: Int> Cone<T> {
@@ -82,7 +82,7 @@ impl<T: Int> Cone<T> {
 
     /// The missing faces, maximal ones only, each as the sorted set of facets of the closure that contain it.
     #[must_use]
-    pub fn missing(&self) -> &[Vec<usize>] {
+    pub fn missing(&self) -> &[Face] {
         &self.missing
     }
 
@@ -223,7 +223,8 @@ impl<T: Int> From<Pair<T>> for Cone<T> {
 /// Lines and rays of a closed cone, not in canonical form.
 fn generators<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Generators<T>, Overflow> {
     if normals.columns() == 3 {
-        return Shape::of(equalities, normals)?.generators(normals);
+        let mut ring = Ring::new();
+        return Shape::of(equalities, normals, &mut ring)?.generators(normals, &ring);
     }
     cut_space(equalities, normals).map(|cut| Generators { lines: cut.lines, rays: cut.rays })
 }

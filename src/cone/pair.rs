@@ -4,7 +4,7 @@ use super::bits::{BitRows, count, has, is_subset};
 use super::cut::cut_space;
 use super::lattice::{all_faces, incidence};
 use super::linear::{Echelon, dot_sign, echelon, is_zero};
-use super::spatial::Shape;
+use super::spatial::{Ring, Shape};
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A closed polyhedral cone by its face normals and by its generators, both minimal and canonical.
@@ -36,7 +36,8 @@ impl<T: Int> Pair<T> {
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_normals(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Self, Overflow> {
         if normals.columns() == 3 {
-            return Shape::of(equalities, normals)?.pair(normals);
+            let mut ring = Ring::new();
+            return Shape::of(equalities, normals, &mut ring)?.pair(normals, &ring);
         }
         let cut = cut_space(equalities, normals)?;
         let lines = echelon(&cut.lines)?;

@@ -268,7 +268,7 @@ impl Int for Z {
             }
             let remainder = value % &divisor;
             if !remainder.is_zero() {
-                divisor = divisor.gcd(&remainder);
+                divisor = super::gcd::gcd(&divisor, &remainder);
             }
         }
         if !divisor.is_one() {

@@ -1,6 +1,7 @@
 //! Cross products and determinants of rows with three entries, exact on every rung whatever their size.
 
-use super::wide::{Wide, sum_sign};
+use super::gcd::word_gcd;
+use super::wide::{Wide, primitive, sum_sign};
 use super::{Entries, Int, Overflow, Z};
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -8,10 +9,19 @@ use std::fmt::Debug;
 /// Arithmetic of three-dimensional rows that never overflows, except where a result has to fit the rung again.
 pub trait Minors: Sized {
     /// Holds a 2×2 minor of any two rows.
-    type Minor: Clone + Debug;
+    type Minor: Clone + Debug + Default;
 
     /// `a × b`.
     fn minors(a: &[Self; 3], b: &[Self; 3]) -> [Self::Minor; 3];
+
+    /// `a · b`.
+    ///
+    /// # Errors
+    /// [`Overflow`] if it does not fit what holds minors.
+    fn product(a: &[Self; 3], b: &[Self; 3]) -> Result<Self::Minor, Overflow>;
+
+    /// The determinant of three rows.
+    fn determinant(a: &[Self; 3], b: &[Self; 3], c: &[Self; 3]) -> Z;
 
     /// Sign of a minor.
     fn minor_sign(minor: &Self::Minor) -> Ordering;
@@ -27,32 +37,47 @@ pub trait Minors: Sized {
     /// # Errors
     /// [`Overflow`] if it does not fit.
     fn on_ray(minors: &[Self::Minor; 3]) -> Result<[Self; 3], Overflow>;
+
+    /// The primitive row on the same ray.
+    fn shortest(row: [Self; 3]) -> [Self; 3];
 }
 
 impl Minors for i64 {
     type Minor = i128;
 
+    #[inline]
     fn minors(a: &[i64; 3], b: &[i64; 3]) -> [i128; 3] {
         let product = |i: usize, j: usize| i128::from(a[i]) * i128::from(b[j]);
         // entries below 2^63: products below 2^126
         [product(1, 2) - product(2, 1), product(2, 0) - product(0, 2), product(0, 1) - product(1, 0)]
     }
 
+    fn product(a: &[i64; 3], b: &[i64; 3]) -> Result<i128, Overflow> {
+        Self::dot(a, b)
+    }
+
+    fn determinant(a: &[i64; 3], b: &[i64; 3], c: &[i64; 3]) -> Z {
+        let minors = Self::minors(b, c);
+        let product = |axis: usize| minors[axis].checked_mul(a[axis].into());
+        let total = || product(0)?.checked_add(product(1)?)?.checked_add(product(2)?);
+        total().map_or_else(|| a.iter().zip(minors).map(|(x, y)| Z::from(y) * x).sum(), Z::from)
+    }
+
+    #[inline]
     fn minor_sign(minor: &i128) -> Ordering {
         minor.cmp(&0)
     }
 
+    #[inline]
     fn side(row: &[i64; 3], minors: &[i128; 3]) -> Ordering {
         const SHORT: i128 = 1 << 61;
         if minors.iter().all(|minor| (-SHORT..=SHORT).contains(minor)) {
             return (0..3).map(|axis| i128::from(row[axis]) * minors[axis]).sum::<i128>().cmp(&0);
         }
-        side_in_192_bits(row, minors).unwrap_or_else(|| {
-            let terms = [0, 1, 2].map(|axis| (row[axis].into(), Wide::<2>::from(minors[axis])));
-            sum_sign::<2, 4>(terms)
-        })
+        wide_side(row, minors)
     }
 
+    #[inline]
     fn side_of(a: &[i64; 3], b: &[i64; 3]) -> Ordering {
         Self::side(a, &b.map(i128::from))
     }
@@ -61,13 +86,28 @@ impl Minors for i64 {
         if let [Ok(x), Ok(y), Ok(z)] = minors.map(i64::try_from)
             && x.min(y).min(z) > i64::MIN
         {
-            let divisor = gcd(gcd(x.unsigned_abs(), y.unsigned_abs()), z.unsigned_abs()).max(1).cast_signed();
-            return Ok(if divisor == 1 { [x, y, z] } else { [x / divisor, y / divisor, z / divisor] });
+            return Ok(Self::shortest([x, y, z]));
         }
         let mut out = Entries::new();
         Self::primitive(minors, &mut out)?;
         Ok([out[0], out[1], out[2]])
     }
+
+    fn shortest(row: [i64; 3]) -> [i64; 3] {
+        let [x, y, z] = row.map(i64::unsigned_abs);
+        // entries above the least one have a divisor below 2^63
+        match divisor(x, y, z).cast_signed() {
+            0 | 1 => row,
+            divisor => row.map(|entry| entry / divisor),
+        }
+    }
+}
+
+fn wide_side(row: &[i64; 3], minors: &[i128; 3]) -> Ordering {
+    side_in_192_bits(row, minors).unwrap_or_else(|| {
+        let terms = [0, 1, 2].map(|axis| (row[axis].into(), Wide::<2>::from(minors[axis])));
+        sum_sign::<2, 4>(terms)
+    })
 }
 
 /// The sign unless the sum is within a bit or two of what 192 bits hold.
@@ -85,19 +125,12 @@ fn side_in_192_bits(row: &[i64; 3], minors: &[i128; 3]) -> Option<Ordering> {
     Some(high.cmp(&0).then(if low & u128::from(u64::MAX) == 0 { Ordering::Equal } else { Ordering::Greater }))
 }
 
-/// Binary, with a subtraction and a shift for each step and no branch but the loop's.
-fn gcd(a: u64, b: u64) -> u64 {
-    if a == 0 || b == 0 {
-        return a | b;
+fn divisor(x: u64, y: u64, z: u64) -> u64 {
+    match word_gcd(x, y) {
+        0 => z,
+        1 => 1,
+        both => word_gcd(both, z % both),
     }
-    let twos = (a | b).trailing_zeros();
-    let (mut a, mut b) = (a >> a.trailing_zeros(), b >> b.trailing_zeros());
-    while a != b {
-        let difference = a.abs_diff(b);
-        a = a.min(b);
-        b = difference >> difference.trailing_zeros();
-    }
-    a << twos
 }
 
 impl Minors for i128 {
@@ -106,6 +139,16 @@ impl Minors for i128 {
     fn minors(a: &[i128; 3], b: &[i128; 3]) -> [Wide<4>; 3] {
         let minor = |i: usize, j: usize| Wide::product(a[i], b[j]).minus(&Wide::product(a[j], b[i]));
         [minor(1, 2), minor(2, 0), minor(0, 1)]
+    }
+
+    fn product(a: &[i128; 3], b: &[i128; 3]) -> Result<Wide<4>, Overflow> {
+        let product = |axis: usize| Wide::product(a[axis], b[axis]);
+        Ok(product(0).plus(&product(1)).plus(&product(2)))
+    }
+
+    fn determinant(a: &[i128; 3], b: &[i128; 3], c: &[i128; 3]) -> Z {
+        let [a, b, c] = [a, b, c].map(|row| row.map(Z::from));
+        Z::determinant(&a, &b, &c)
     }
 
     fn minor_sign(minor: &Wide<4>) -> Ordering {
@@ -122,14 +165,19 @@ impl Minors for i128 {
 
     fn on_ray(minors: &[Wide<4>; 3]) -> Result<[i128; 3], Overflow> {
         if let [Some(x), Some(y), Some(z)] = minors.map(|minor| minor.narrow()) {
-            let mut row = [x, y, z];
-            Self::make_primitive(&mut row);
-            return Ok(row);
+            return Ok(Self::shortest([x, y, z]));
         }
-        let mut row = minors.map(|minor| minor.to_z());
-        Z::make_primitive(&mut row);
-        let [x, y, z] = row.map(|value| i128::from_z(&value).ok_or(Overflow));
-        Ok([x?, y?, z?])
+        primitive(minors).ok_or(Overflow)
+    }
+
+    fn shortest(mut row: [i128; 3]) -> [i128; 3] {
+        if let [Ok(x), Ok(y), Ok(z)] = row.map(i64::try_from)
+            && x.min(y).min(z) > i64::MIN
+        {
+            return i64::shortest([x, y, z]).map(i128::from);
+        }
+        Self::make_primitive(&mut row);
+        row
     }
 }
 
@@ -139,6 +187,14 @@ impl Minors for Z {
     fn minors(a: &[Z; 3], b: &[Z; 3]) -> [Z; 3] {
         let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
         [minor(1, 2), minor(2, 0), minor(0, 1)]
+    }
+
+    fn product(a: &[Z; 3], b: &[Z; 3]) -> Result<Z, Overflow> {
+        Self::dot(a, b)
+    }
+
+    fn determinant(a: &[Z; 3], b: &[Z; 3], c: &[Z; 3]) -> Z {
+        a.iter().zip(&Self::minors(b, c)).map(|(x, y)| x * y).sum()
     }
 
     fn minor_sign(minor: &Z) -> Ordering {
@@ -154,9 +210,12 @@ impl Minors for Z {
     }
 
     fn on_ray(minors: &[Z; 3]) -> Result<[Z; 3], Overflow> {
-        let mut row = minors.clone();
+        Ok(Self::shortest(minors.clone()))
+    }
+
+    fn shortest(mut row: [Z; 3]) -> [Z; 3] {
         Self::make_primitive(&mut row);
-        Ok(row)
+        row
     }
 }
 
@@ -188,6 +247,7 @@ mod tests {
             }
             for c in rows {
                 assert_eq!(T::side(c, &minors), Z::side(&exact(c), &expected), "{c:?} {a:?} {b:?}");
+                assert_eq!(T::determinant(c, a, b), Z::determinant(&exact(c), &exact(a), &exact(b)));
                 assert_eq!(T::side_of(c, a), Z::side_of(&exact(c), &exact(a)), "{c:?} {a:?}");
             }
         }
@@ -210,21 +270,5 @@ mod tests {
         assert_eq!(side_in_192_bits(&row, &minors), None);
         assert_eq!(i64::side(&row, &minors), Ordering::Greater);
         assert_eq!(i64::side(&row.map(|entry| -entry), &minors), Ordering::Less);
-    }
-
-    #[test]
-    fn the_binary_divisor_is_that_of_euclid() {
-        let euclid = |mut a: u64, mut b: u64| {
-            while b != 0 {
-                (a, b) = (b, a % b);
-            }
-            a
-        };
-        let values = [0, 1, 2, 3, 12, 18, 1 << 40, 3 << 40, u64::MAX, u64::MAX - 1, 6_700_417 * 641, 641 * 12];
-        for a in values {
-            for b in values {
-                assert_eq!(gcd(a, b), euclid(a, b), "{a} {b}");
-            }
-        }
     }
 }

@@ -6,6 +6,7 @@ mod algebraic;
 mod bracket;
 mod filter;
 mod float_interval;
+mod gcd;
 mod image;
 mod int;
 mod isolate;
@@ -24,7 +25,7 @@ pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
 pub use matrix::{Entries, Matrix, on_rung, primitive_row};
 pub use minors::Minors;
 pub use polynomial::Polynomial;
-pub use rational::{approximate, from_float_exact, ratio, to_f64};
+pub use rational::{approximate, fraction, from_float_exact, ratio, sum, to_f64};
 
 /// Integers of any size.
 pub type Z = num_bigint::BigInt;

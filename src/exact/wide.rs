@@ -1,11 +1,11 @@
 //! Integers of a fixed number of words, for what products of double words need.
 
-use super::Z;
-use num_bigint::Sign;
+use super::gcd::words_gcd;
+use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// A sign and `N` words of magnitude, least first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Wide<const N: usize> {
     negative: bool,
     words: [u64; N],
@@ -27,22 +27,40 @@ impl<const N: usize> Wide<N> {
         Some(if self.negative { -magnitude } else { magnitude })
     }
 
-    pub(super) fn to_z(self) -> Z {
-        let halves = self.words.iter().flat_map(|word| [*word as u32, (word >> 32) as u32]).collect();
-        Z::new(if self.negative { Sign::Minus } else { Sign::Plus }, halves)
+    fn bits(&self) -> u32 {
+        let top = self.words.iter().rposition(|word| *word != 0);
+        top.map_or(0, |top| 64 * (top as u32 + 1) - self.words[top].leading_zeros())
     }
 }
 
 impl Wide<4> {
+    fn trailing_zeros(&self) -> u32 {
+        let low = self.words.iter().position(|word| *word != 0);
+        low.map_or(0, |low| 64 * low as u32 + self.words[low].trailing_zeros())
+    }
+
+    /// The 128 bits from bit `shift` up.
+    fn low_bits_from(&self, shift: u32) -> u128 {
+        let word = |at: usize| self.words.get(at).copied().unwrap_or(0);
+        let (at, shift) = ((shift / 64) as usize, shift % 64);
+        let low = two_words(word(at), word(at + 1)) >> shift;
+        if shift == 0 { low } else { low | u128::from(word(at + 2)) << (128 - shift) }
+    }
+
     pub(super) fn product(a: i128, b: i128) -> Self {
         let mut words = [0; 4];
         add_product(&mut words, &halves(a.unsigned_abs()), &halves(b.unsigned_abs()));
         Self { negative: (a < 0) != (b < 0), words }
     }
 
-    /// The difference of two products of entries, which cannot overflow.
+    /// The difference of two products of entries; three such products fit.
     pub(super) fn minus(&self, other: &Self) -> Self {
-        if self.negative != other.negative {
+        self.plus(&Self { negative: !other.negative, ..*other })
+    }
+
+    /// The sum of products of entries; three of them fit.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        if self.negative == other.negative {
             let mut words = self.words;
             add(&mut words, &other.words);
             return Self { negative: self.negative, words };
@@ -51,6 +69,12 @@ impl Wide<4> {
         let (mut words, less) = if is_less { (other.words, &self.words) } else { (self.words, &other.words) };
         subtract(&mut words, less);
         Self { negative: self.negative != is_less, words }
+    }
+}
+
+impl Default for Wide<4> {
+    fn default() -> Self {
+        Self { negative: false, words: [0; 4] }
     }
 }
 
@@ -68,6 +92,33 @@ pub(super) fn sum_sign<const N: usize, const M: usize>(terms: [(i128, Wide<N>); 
         add_product(total, &halves(factor.unsigned_abs()), &value.words);
     }
     order(&positive, &negative)
+}
+
+/// The primitive row on the same ray, unless an entry does not fit.
+pub(super) fn primitive(row: &[Wide<4>; 3]) -> Option<[i128; 3]> {
+    let mut sorted: SmallVec<[&Wide<4>; 3]> = row.iter().filter(|value| value.sign().is_ne()).collect();
+    sorted.sort_unstable_by_key(|value| value.bits());
+    let divisors = sorted.iter().map(|value| value.words.into_iter().collect());
+    let divisor = divisors.reduce(words_gcd)?;
+    let mut words = [0; 4];
+    words[..divisor.len()].copy_from_slice(&divisor);
+    let divisor = Wide { negative: false, words };
+    let twos = divisor.trailing_zeros();
+    let (bits, inverse) = (divisor.bits(), inverse(divisor.low_bits_from(twos)));
+    let mut out = [0; 3];
+    for (entry, value) in out.iter_mut().zip(row) {
+        // what is divisible has its quotient modulo 2^128 from the low words alone
+        let quotient = value.low_bits_from(twos).wrapping_mul(inverse);
+        let magnitude = i128::try_from(quotient).ok().filter(|_| value.bits() <= bits + 127)?;
+        *entry = if value.negative { -magnitude } else { magnitude };
+    }
+    Some(out)
+}
+
+/// Inverse of an odd number modulo 2^128 by Newton's method, which doubles the five bits that are right at first.
+fn inverse(odd: u128) -> u128 {
+    let start = odd.wrapping_mul(3) ^ 2;
+    (0..5).fold(start, |inverse, _| inverse.wrapping_mul(2_u128.wrapping_sub(odd.wrapping_mul(inverse))))
 }
 
 fn halves(value: u128) -> [u64; 2] {

@@ -1,8 +1,9 @@
 //! Contact frames as primitive integer rows in wrench space.
 
-use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
-use crate::geometry::{cross, difference};
+use crate::exact::{Int, Overflow, Q, Z, on_rung};
+use crate::geometry::difference;
 use crate::model::{Fixture, Part};
+use num_integer::Integer as _;
 
 /// One contact: its acceleration rows and force rays, each up to a positive factor.
 ///
@@ -41,12 +42,14 @@ impl Contact {
             .fixels
             .iter()
             .map(|fixel| {
-                let arm = difference(&part.center_of_mass, &fixel.point);
-                let normal = wrench(&arm, &fixel.normal);
-                let tangent = wrench(&arm, &[-&fixel.normal[1], fixel.normal[0].clone()]);
+                let (arm, denominator) = integers(&difference(&part.center_of_mass, &fixel.point));
+                let (direction, _) = integers(&fixel.normal);
+                let [x, y] = &direction;
+                let normal = wrench(&arm, &denominator, &direction);
+                let tangent = wrench(&arm, &denominator, &[-y, x.clone()]);
                 let force = |share: &Q| {
-                    let sum: Vec<Q> = normal.iter().zip(&tangent).map(|(n, t)| -(n + t * share)).collect();
-                    primitive_row(&sum)
+                    let entry = |axis: usize| -(&normal[axis] * share.denom() + &tangent[axis] * share.numer());
+                    primitive((0..3).map(entry).collect())
                 };
                 let friction = &fixel.friction;
                 Self {
@@ -77,13 +80,25 @@ impl Contact {
     }
 }
 
-/// Wrench of the force `direction` at `arm` from the center of mass: a column of J.
-fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
-    [direction[0].clone(), direction[1].clone(), cross(arm, direction)]
+/// Wrench of the force `direction` at `arm / denominator` from the center of mass, times the denominator: a column of J.
+fn wrench(arm: &[Z; 2], denominator: &Z, direction: &[Z; 2]) -> [Z; 3] {
+    let [x, y] = direction;
+    [x * denominator, y * denominator, &arm[0] * y - &arm[1] * x]
 }
 
-fn acceleration_row(wrench: &[Q; 3], rho2: &Q) -> Vec<Z> {
-    primitive_row(&[wrench[0].clone(), wrench[1].clone(), &wrench[2] / rho2])
+fn acceleration_row([x, y, torque]: &[Z; 3], rho2: &Q) -> Vec<Z> {
+    primitive(vec![x * rho2.numer(), y * rho2.numer(), torque * rho2.denom()])
+}
+
+/// The vector as integers over a common denominator.
+fn integers(vector: &[Q; 2]) -> ([Z; 2], Z) {
+    let denominator = vector[0].denom().lcm(vector[1].denom());
+    (vector.each_ref().map(|value| value.numer() * (&denominator / value.denom())), denominator)
+}
+
+fn primitive(mut row: Vec<Z>) -> Vec<Z> {
+    Z::make_primitive(&mut row);
+    row
 }
 
 fn both<T: Int>(rows: &[Vec<Z>; 2]) -> Result<[Vec<T>; 2], Overflow> {

@@ -7,16 +7,16 @@ use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 impl<T: Int> Shape<T> {
-    /// Both forms; `normals` are those that the shape was cut by.
+    /// Both forms; `normals` and `ring` are those that the shape was cut by and on.
     ///
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
-    pub(in crate::cone) fn pair(self, normals: &Matrix<T>) -> Result<Pair<T>, Overflow> {
+    pub(in crate::cone) fn pair(self, normals: &Matrix<T>, ring: &Ring<T>) -> Result<Pair<T>, Overflow> {
         Ok(match self {
             Self::Space => space(),
             Self::HalfSpace(normal) => half_space(normal),
             Self::Wedge { axis, sides } => wedge(axis, sides)?,
-            Self::Pointed(ring) => pointed(&ring, normals)?,
+            Self::Pointed => pointed(ring, normals)?,
             Self::HalfPlane { normal, side } => half_plane(normal, &side)?,
             Self::Line(line) => along(line),
             // the polars of some of the others
@@ -27,14 +27,14 @@ impl<T: Int> Shape<T> {
         })
     }
 
-    /// Lines and rays that span the cone, primitive but not canonical; `normals` are those that the shape was cut by.
+    /// Lines and rays that span the cone, primitive but not canonical; arguments as for [`Shape::pair`].
     ///
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
-    pub(in crate::cone) fn generators(self, normals: &Matrix<T>) -> Result<Generators<T>, Overflow> {
+    pub(in crate::cone) fn generators(self, normals: &Matrix<T>, ring: &Ring<T>) -> Result<Generators<T>, Overflow> {
         let (lines, rays) = (Matrix::new(3), Matrix::new(3));
         Ok(match self {
-            Self::Pointed(ring) => {
+            Self::Pointed => {
                 let mut rays = Matrix::with_capacity(3, ring.rays.len());
                 for ray in &ring.rays {
                     rays.push(&T::on_ray(ray)?);
@@ -45,7 +45,7 @@ impl<T: Int> Shape<T> {
             Self::Line(line) => Generators { lines: Matrix::from_rows(3, [line]), rays },
             Self::Ray(ray) => Generators { lines, rays: Matrix::from_rows(3, [ray]) },
             Self::Apex => Generators { lines, rays },
-            other => other.pair(normals)?.into_generators(),
+            other => other.pair(normals, ring)?.into_generators(),
         })
     }
 }
@@ -54,14 +54,14 @@ fn space<T: Int>() -> Pair<T> {
     Pair::of_parts(Matrix::new(3), Matrix::new(3), Matrix::identity(3), Matrix::new(3))
 }
 
-fn along<T: Int>(mut line: Row<T>) -> Pair<T> {
-    orient(&mut line);
+fn along<T: Int>(line: Row<T>) -> Pair<T> {
+    let line = oriented(line);
     let across = plane(&line);
     Pair::of_parts(across, Matrix::new(3), rows([line]), Matrix::new(3))
 }
 
-fn half_space<T: Int>(mut normal: Row<T>) -> Pair<T> {
-    T::make_primitive(&mut normal);
+fn half_space<T: Int>(normal: Row<T>) -> Pair<T> {
+    let normal = T::shortest(normal);
     // zero in the pivots of the plane
     let last = normal.iter().rposition(|entry| entry.sign().is_ne()).expect("a normal is not zero");
     let mut ray: Row<T> = unit(last);
@@ -72,10 +72,10 @@ fn half_space<T: Int>(mut normal: Row<T>) -> Pair<T> {
     Pair::of_parts(Matrix::new(3), rows([normal]), lines, rows([ray]))
 }
 
-fn wedge<T: Int>(mut axis: Row<T>, mut sides: [Row<T>; 2]) -> Result<Pair<T>, Overflow> {
-    orient(&mut axis);
+fn wedge<T: Int>(axis: Row<T>, sides: [Row<T>; 2]) -> Result<Pair<T>, Overflow> {
+    let axis = oriented(axis);
     let pivot = unit(first(&axis));
-    sides.iter_mut().for_each(|side| T::make_primitive(side));
+    let mut sides = sides.map(T::shortest);
     sides.sort_unstable();
     let [a, b] = &sides;
     let mut rays = [on_side(a, &pivot, b)?, on_side(b, &pivot, a)?];
@@ -83,18 +83,17 @@ fn wedge<T: Int>(mut axis: Row<T>, mut sides: [Row<T>; 2]) -> Result<Pair<T>, Ov
     Ok(Pair::of_parts(Matrix::new(3), rows(sides), rows([axis]), rows(rays)))
 }
 
-fn half_plane<T: Int>(mut normal: Row<T>, side: &Row<T>) -> Result<Pair<T>, Overflow> {
-    orient(&mut normal);
-    let mut line = T::on_ray(&T::minors(&normal, side))?;
-    orient(&mut line);
+fn half_plane<T: Int>(normal: Row<T>, side: &Row<T>) -> Result<Pair<T>, Overflow> {
+    let normal = oriented(normal);
+    let line = oriented(T::on_ray(&T::minors(&normal, side))?);
     let ray = on_side(&normal, &unit(first(&line)), side)?;
     let facet = on_side(&line, &unit(first(&normal)), &ray)?;
     Ok(Pair::of_parts(rows([normal]), rows([facet]), rows([line]), rows([ray])))
 }
 
 fn pointed<T: Int>(ring: &Ring<T>, normals: &Matrix<T>) -> Result<Pair<T>, Overflow> {
-    let mut facets: SmallVec<[Row<T>; 8]> = ring.facets.iter().map(|facet| row(normals.row(*facet)).clone()).collect();
-    facets.iter_mut().for_each(|facet| T::make_primitive(facet));
+    let facet = |index: &usize| T::shortest(row(normals.row(*index)).clone());
+    let mut facets: SmallVec<[Row<T>; 8]> = ring.facets.iter().map(facet).collect();
     facets.sort_unstable();
     let mut rays = SmallVec::<[Row<T>; 8]>::with_capacity(ring.rays.len());
     for ray in &ring.rays {
@@ -117,22 +116,16 @@ fn plane<T: Int>(normal: &Row<T>) -> Matrix<T> {
     for pivot in (0..3).filter(|pivot| *pivot != last) {
         let mut row = unit(pivot);
         (row[pivot], row[last]) = (normal[last].clone(), normal[pivot].negated());
-        T::make_primitive(&mut row);
-        if row[pivot].sign().is_lt() {
-            row = negated(&row);
-        }
-        basis.push(&row);
+        basis.push(&oriented(row));
     }
     basis
 }
 
-/// Makes `row` primitive with a positive first entry.
-fn orient<T: Int>(row: &mut Row<T>) {
-    debug_assert!(!is_zero(row), "a line has a direction");
-    T::make_primitive(row);
-    if row[first(row)].sign() == Ordering::Less {
-        *row = negated(row);
-    }
+/// The primitive multiple of `row` with a positive first entry.
+fn oriented<T: Int>(row: Row<T>) -> Row<T> {
+    debug_assert!(!is_zero(&row), "a line has a direction");
+    let row = T::shortest(row);
+    if row[first(&row)].sign() == Ordering::Less { negated(&row) } else { row }
 }
 
 /// Where the first entry that is not zero stands.

@@ -5,10 +5,13 @@
 
 mod fan;
 mod forms;
+mod missing;
 mod ring;
 
 use crate::exact::{Int, Matrix, Overflow};
 use fan::Fan;
+pub(super) use missing::{Part, is_small, masks, maximal_missing};
+use ring::Left;
 pub(super) use ring::Ring;
 use std::cmp::Ordering;
 
@@ -23,8 +26,8 @@ pub(super) enum Shape<T: Int> {
     HalfSpace(Row<T>),
     /// `a · x ≤ 0` and `b · x ≤ 0`; the line `axis` is on both planes.
     Wedge { axis: Row<T>, sides: [Row<T>; 2] },
-    /// At least three facets around an apex.
-    Pointed(Ring<T>),
+    /// At least three facets around an apex: those of the ring.
+    Pointed,
     /// A plane by its normal.
     Plane(Row<T>),
     /// `a · x ≤ 0` in the plane with normal `normal`.
@@ -48,20 +51,20 @@ enum Span<T> {
 }
 
 impl<T: Int> Shape<T> {
-    /// The cone `{x : equalities · x = 0, normals · x ≤ 0}`.
+    /// The cone `{x : equalities · x = 0, normals · x ≤ 0}`; `ring` takes its facets and rays if it is pointed and full.
     ///
     /// # Cost
     /// O(m k) determinants for m normals and k rays.
     ///
     /// # Errors
     /// [`Overflow`] if a primitive vector that determines the cone does not fit `T`.
-    pub(super) fn of(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Self, Overflow> {
+    pub(super) fn of(equalities: &Matrix<T>, normals: &Matrix<T>, ring: &mut Ring<T>) -> Result<Self, Overflow> {
         let mut span = Span::Space;
         for equality in equalities.rows() {
             span = span.within(row(equality))?;
         }
         loop {
-            match span.cut(normals)? {
+            match span.cut(normals, ring)? {
                 Ok(shape) => return Ok(shape),
                 Err(implied) => span = span.within(row(normals.row(implied)))?,
             }
@@ -85,9 +88,9 @@ impl<T: Int> Span<T> {
     }
 
     /// Cuts it by all normals; `Err` is one that vanishes on all that is left but not on the span.
-    fn cut(&self, normals: &Matrix<T>) -> Result<Result<Shape<T>, usize>, Overflow> {
+    fn cut(&self, normals: &Matrix<T>, ring: &mut Ring<T>) -> Result<Result<Shape<T>, usize>, Overflow> {
         match self {
-            Self::Space => cut_space(normals),
+            Self::Space => cut_space(normals, ring),
             Self::Plane(normal) => cut_plane(normal, normals),
             Self::Line(line) => Ok(Ok(cut_line(line, normals))),
             Self::Apex => Ok(Ok(Shape::Apex)),
@@ -95,7 +98,7 @@ impl<T: Int> Span<T> {
     }
 }
 
-fn cut_space<T: Int>(normals: &Matrix<T>) -> Result<Result<Shape<T>, usize>, Overflow> {
+fn cut_space<T: Int>(normals: &Matrix<T>, ring: &mut Ring<T>) -> Result<Result<Shape<T>, usize>, Overflow> {
     let at = |index: usize| row(normals.row(index));
     let Some(first) = (0..normals.len()).find(|index| !is_zero(at(*index))) else { return Ok(Ok(Shape::Space)) };
     let a = at(first);
@@ -117,7 +120,10 @@ fn cut_space<T: Int>(normals: &Matrix<T>) -> Result<Result<Shape<T>, usize>, Ove
             Ordering::Less => [first, second, third],
             Ordering::Greater => [second, first, third],
         };
-        return Ok(Ring::clipped(normals, corners));
+        return Ok(ring.clip(normals, corners).map(|left| match left {
+            Left::Cone => Shape::Pointed,
+            Left::Apex => Shape::Apex,
+        }));
     }
     let axis = T::on_ray(&edge)?;
     Ok(Fan::about(&axis, normals).map(|fan| {

@@ -1,0 +1,191 @@
+//! Greatest common divisors: binary on words, Lehmer's method on longer integers.
+
+use super::Z;
+use smallvec::SmallVec;
+
+/// Magnitudes, least word first, without leading zeros.
+type Words = SmallVec<[u64; 8]>;
+
+/// Of two integers of any size, not negative.
+pub(super) fn gcd(a: &Z, b: &Z) -> Z {
+    if let (Ok(a), Ok(b)) = (u64::try_from(a.magnitude()), u64::try_from(b.magnitude())) {
+        return word_gcd(a, b).into();
+    }
+    let words = |value: &Z| value.iter_u64_digits().collect::<Words>();
+    to_z(&words_gcd(words(a), words(b)))
+}
+
+/// Of two words; binary, with a subtraction and a shift for each step and no branch but the loop's.
+pub(super) fn word_gcd(a: u64, b: u64) -> u64 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    if a == 1 || b == 1 {
+        return 1;
+    }
+    let twos = (a | b).trailing_zeros();
+    let (mut a, mut b) = (a >> a.trailing_zeros(), b >> b.trailing_zeros());
+    while a != b {
+        let difference = a.abs_diff(b);
+        a = a.min(b);
+        b = difference >> difference.trailing_zeros();
+    }
+    a << twos
+}
+
+/// Of two magnitudes, by Lehmer's method: the first quotients of Euclid's follow from the leading words alone, and their
+/// product is applied to the whole numbers at once.
+///
+/// # Source
+/// Knuth (1997), The Art of Computer Programming 2, §4.5.2, Algorithm L, with the exit condition of Collins that Jebelean
+/// (1993), "A generalization of the binary GCD algorithm", §4.2, recalls: it takes one division a quotient.
+pub(super) fn words_gcd(mut a: Words, mut b: Words) -> Words {
+    trim(&mut a);
+    trim(&mut b);
+    if less(&a, &b) {
+        std::mem::swap(&mut a, &mut b);
+    }
+    while b.len() > 1 {
+        let quotients = leading_quotients(&a, &b);
+        if quotients.b_in_a == 0 {
+            let rest = remainder(&a, &b);
+            a = std::mem::replace(&mut b, rest);
+        } else {
+            quotients.apply(&mut a, &mut b);
+        }
+    }
+    let Some(&short) = b.first() else { return a };
+    let mut divisor = Words::new();
+    divisor.push(word_gcd(short, short_remainder(&a, short)));
+    divisor
+}
+
+/// Several steps of Euclid's method: `a` becomes ±(`a_in_a` a - `b_in_a` b) and `b` becomes ∓(`a_in_b` a - `b_in_b` b).
+struct Quotients {
+    a_in_a: u64,
+    b_in_a: u64,
+    a_in_b: u64,
+    b_in_b: u64,
+    is_even: bool,
+}
+
+/// The quotients that the leading words of `a ≥ b` make sure of; `b` has two words at least.
+fn leading_quotients(a: &[u64], b: &[u64]) -> Quotients {
+    let top = a.len() - 1;
+    let shift = a[top].leading_zeros();
+    let leading = |words: &[u64]| {
+        let word = |at: usize| words.get(at).copied().unwrap_or(0);
+        let pair = u128::from(word(top)) << 64 | u128::from(word(top - 1));
+        (pair << shift >> 64) as u64
+    };
+    let (mut high, mut low) = (leading(a), leading(b));
+    let (mut in_a, mut in_b, mut next) = ([0, 0], [1, 0], [0, 1]);
+    let mut is_even = false;
+    while low >= next[1] && high - low >= in_b[1] + next[1] {
+        let quotient = high / low;
+        (high, low) = (low, high % low);
+        let after = [in_b[0] + quotient * next[0], in_b[1] + quotient * next[1]];
+        (in_a, in_b, next) = (in_b, next, after);
+        is_even = !is_even;
+    }
+    let ([a_in_a, b_in_a], [a_in_b, b_in_b]) = (in_a, in_b);
+    Quotients { a_in_a, b_in_a, a_in_b, b_in_b, is_even }
+}
+
+impl Quotients {
+    fn apply(&self, a: &mut Words, b: &mut Words) {
+        b.resize(a.len(), 0);
+        let mut carries = [0_i128; 2];
+        for (x, y) in a.iter_mut().zip(b.iter_mut()) {
+            let product = |factor: u64, word: u64| u128::from(factor) * u128::from(word);
+            let difference = |p: u128, q: u128, carry: i128| {
+                // factors are below 2^63, so products are below 2^127
+                let total = p.cast_signed() - q.cast_signed() + carry;
+                (total as u64, total >> 64)
+            };
+            let pairs = [
+                (product(self.a_in_a, *x), product(self.b_in_a, *y)),
+                (product(self.b_in_b, *y), product(self.a_in_b, *x)),
+            ];
+            for (out, ((p, q), carry)) in [x, y].into_iter().zip(pairs.into_iter().zip(&mut carries)) {
+                let (p, q) = if self.is_even { (p, q) } else { (q, p) };
+                (*out, *carry) = difference(p, q, *carry);
+            }
+        }
+        debug_assert_eq!(carries, [0, 0], "remainders are not negative");
+        trim(a);
+        trim(b);
+    }
+}
+
+fn remainder(a: &[u64], b: &[u64]) -> Words {
+    if let ([low, high], [short, long]) = (a, b) {
+        let value = |low: u64, high: u64| u128::from(high) << 64 | u128::from(low);
+        let rest = value(*low, *high) % value(*short, *long);
+        let mut words = Words::from_slice(&[rest as u64, (rest >> 64) as u64]);
+        trim(&mut words);
+        return words;
+    }
+    (to_z(a) % to_z(b)).iter_u64_digits().collect()
+}
+
+fn short_remainder(a: &[u64], b: u64) -> u64 {
+    a.iter().rev().fold(0, |rest, word| ((u128::from(rest) << 64 | u128::from(*word)) % u128::from(b)) as u64)
+}
+
+fn to_z(words: &[u64]) -> Z {
+    let halves = words.iter().flat_map(|word| [*word as u32, (word >> 32) as u32]).collect();
+    Z::new(num_bigint::Sign::Plus, halves)
+}
+
+fn trim(words: &mut Words) {
+    while words.last() == Some(&0) {
+        words.pop();
+    }
+}
+
+fn less(a: &[u64], b: &[u64]) -> bool {
+    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev())).is_lt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_integer::Integer as _;
+
+    /// Numbers of all lengths up to twelve words, with planted common factors, and Fibonacci numbers, whose quotients
+    /// are all one.
+    fn numbers() -> Vec<Z> {
+        let mut state = 1_u64;
+        let mut word = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state ^ state >> 29
+        };
+        let mut numbers: Vec<Z> = [0_u64, 1, 2, 3, 1 << 63, u64::MAX].map(Z::from).into();
+        for words in 1..=6 {
+            let mut long = |words: usize| (0..words).fold(Z::from(1), |value, _| (value << 64) + word());
+            let common = long(words);
+            numbers.extend([long(1) * &common, long(words) * &common, long(2 * words), &common << 100, common]);
+        }
+        numbers.push((Z::from(1) << 320) - 1);
+        numbers.push((Z::from(1) << 256) + 1);
+        let mut pair = (Z::from(0), Z::from(1));
+        for index in 0..700 {
+            pair = (pair.1.clone(), pair.0 + pair.1);
+            if index > 85 && index % 60 < 2 {
+                numbers.push(pair.1.clone());
+            }
+        }
+        numbers
+    }
+
+    #[test]
+    fn divisors_are_those_of_another_method() {
+        let numbers = numbers();
+        for a in &numbers {
+            for b in &numbers {
+                assert_eq!(gcd(a, b), a.gcd(b), "{a} {b}");
+            }
+        }
+    }
+}
