@@ -10,6 +10,7 @@ pub mod format;
 
 mod bits;
 mod clip;
+mod combination;
 mod convert;
 mod cut;
 mod describe;
@@ -21,11 +22,13 @@ mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
+mod simplex;
 mod spatial;
 mod volume;
 
+pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
-pub use difference::{Split, complement, split, subtract};
+pub use difference::{Outside, Split, complement, split, subtract};
 pub use faces::Face;
 pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};

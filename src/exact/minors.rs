@@ -70,9 +70,13 @@ impl Minors for i64 {
 
     #[inline]
     fn side(row: &[i64; 3], minors: &[i128; 3]) -> Ordering {
-        const SHORT: i128 = 1 << 61;
-        if minors.iter().all(|minor| (-SHORT..=SHORT).contains(minor)) {
-            return (0..3).map(|axis| i128::from(row[axis]) * minors[axis]).sum::<i128>().cmp(&0);
+        let short = minors.map(|minor| minor as i64);
+        let is_short =
+            (0..3).all(|axis| i128::from(short[axis]) == minors[axis] && short[axis].unsigned_abs() < 1 << 62);
+        if is_short {
+            // below 3 · 2^63 · 2^62
+            let product = |axis: usize| i128::from(row[axis]) * i128::from(short[axis]);
+            return (product(0) + product(1) + product(2)).cmp(&0);
         }
         wide_side(row, minors)
     }

@@ -1,9 +1,9 @@
 //! Contact frames as primitive integer rows in wrench space.
 
-use crate::exact::{Int, Overflow, Q, Z, on_rung};
-use crate::geometry::difference;
+use super::frame::Frame;
+use super::mode::Interaction;
+use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
 use crate::model::{Fixture, Part};
-use num_integer::Integer as _;
 
 /// One contact: its acceleration rows and force rays, each up to a positive factor.
 ///
@@ -38,27 +38,25 @@ impl Contact {
     #[must_use]
     pub fn of(part: &Part, fixture: &Fixture) -> Vec<Self> {
         let rho2 = part.gyration2();
-        fixture
-            .fixels
+        Frame::of(part, fixture)
             .iter()
-            .map(|fixel| {
-                let (arm, denominator) = integers(&difference(&part.center_of_mass, &fixel.point));
-                let (direction, _) = integers(&fixel.normal);
-                let [x, y] = &direction;
-                let normal = wrench(&arm, &denominator, &direction);
-                let tangent = wrench(&arm, &denominator, &[-y, x.clone()]);
-                let force = |share: &Q| {
-                    let entry = |axis: usize| -(&normal[axis] * share.denom() + &tangent[axis] * share.numer());
-                    primitive((0..3).map(entry).collect())
+            .map(|frame| {
+                // one factor for both columns, then integers only
+                let columns = primitive_row(&[frame.normal.clone(), frame.tangent.clone()].concat());
+                let (normal, tangent) = columns.split_at(3);
+                let balanced = |slope: &Q| {
+                    let columns = normal.iter().zip(tangent);
+                    primitive(columns.map(|(n, t)| -(n * slope.denom() + t * slope.numer())).collect())
                 };
-                let friction = &fixel.friction;
+                let edges = |slopes: [Q; 2]| slopes.each_ref().map(balanced);
+                let forces = |interaction| edges(frame.slopes(interaction).expect("these interactions transmit force"));
                 Self {
-                    normal_acceleration: acceleration_row(&normal, &rho2),
-                    tangent_acceleration: acceleration_row(&tangent, &rho2),
-                    static_forces: [force(&-&friction.static_.max), force(&friction.static_.max)],
-                    sure_forces: [force(&-&friction.static_.min), force(&friction.static_.min)],
-                    left_forces: [force(&-&friction.kinetic.min), force(&-&friction.kinetic.max)],
-                    right_forces: [force(&friction.kinetic.min), force(&friction.kinetic.max)],
+                    normal_acceleration: acceleration_row(normal, &rho2),
+                    tangent_acceleration: acceleration_row(tangent, &rho2),
+                    static_forces: forces(Interaction::Roll),
+                    sure_forces: edges(frame.sure_slopes()),
+                    left_forces: forces(Interaction::SlideLeft),
+                    right_forces: forces(Interaction::SlideRight),
                 }
             })
             .collect()
@@ -80,20 +78,8 @@ impl Contact {
     }
 }
 
-/// Wrench of the force `direction` at `arm / denominator` from the center of mass, times the denominator: a column of J.
-fn wrench(arm: &[Z; 2], denominator: &Z, direction: &[Z; 2]) -> [Z; 3] {
-    let [x, y] = direction;
-    [x * denominator, y * denominator, &arm[0] * y - &arm[1] * x]
-}
-
-fn acceleration_row([x, y, torque]: &[Z; 3], rho2: &Q) -> Vec<Z> {
-    primitive(vec![x * rho2.numer(), y * rho2.numer(), torque * rho2.denom()])
-}
-
-/// The vector as integers over a common denominator.
-fn integers(vector: &[Q; 2]) -> ([Z; 2], Z) {
-    let denominator = vector[0].denom().lcm(vector[1].denom());
-    (vector.each_ref().map(|value| value.numer() * (&denominator / value.denom())), denominator)
+fn acceleration_row(wrench: &[Z], rho2: &Q) -> Vec<Z> {
+    primitive(vec![&wrench[0] * rho2.numer(), &wrench[1] * rho2.numer(), &wrench[2] * rho2.denom()])
 }
 
 fn primitive(mut row: Vec<Z>) -> Vec<Z> {

@@ -1,5 +1,6 @@
 //! Insertion against fixels: the wrenches that seat the part whatever the contacts do.
 
+use super::critical::{critical_friction, nearest_change};
 use super::fingers::{arc_set, finger_set, tilt_plane};
 use super::recommend::{Margins, recommend};
 use super::robust::robust;
@@ -24,7 +25,13 @@ use crate::model::{Fixture, Part};
 /// # Errors
 /// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
 pub fn insertion(part: &Part, fixture: &Fixture, question: &Question) -> Result<Insertion, ModeError> {
-    Ok(climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0)
+    let mut answer = climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0;
+    if question.critical {
+        let critical = critical_friction(part, fixture, &answer);
+        answer.nearest_change = answer.acyclic.is_empty().then(|| nearest_change(part, fixture, &critical));
+        answer.critical_friction = Some(critical);
+    }
+    Ok(answer)
 }
 
 struct Inserting<'a>(Task<'a>);
@@ -68,10 +75,12 @@ impl Ladder for Inserting<'_> {
             acyclic_fingers,
             goal_tilt: tilt(&goal)?,
             acyclic_tilt,
-            wrenches: sets.verdicts(task.question)?,
+            wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),
             robust,
             robust_acyclic,
+            critical_friction: None,
+            nearest_change: None,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! The planners: which wrenches, finger places and tilts do what is asked, decided exactly.
 
+mod critical;
 mod directions;
 mod fingers;
 mod insert;
@@ -9,6 +10,7 @@ mod sets;
 mod stability;
 mod to_answer;
 mod transitions;
+mod witness;
 
 pub use insert::insertion;
 pub use sets::{Question, mode_cones};

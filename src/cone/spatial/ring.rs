@@ -46,8 +46,9 @@ impl<T: Int> Ring<T> {
 
     /// Which rays the half-space of `normal` leaves outside.
     fn run_outside(&self, normal: &Row<T>) -> Side {
-        let count = self.rays.len();
-        let side = |ray: usize| T::side(normal, &self.rays[ray]);
+        let rays = self.rays.as_slice();
+        let count = rays.len();
+        let side = |ray: usize| T::side(normal, &rays[ray]);
         let Some(found) = (0..count).find(|ray| side(*ray).is_gt()) else { return Side::Inside };
         let next = |ray: usize| if ray + 1 == count { 0 } else { ray + 1 };
         let last = |ray: usize| if ray == 0 { count - 1 } else { ray - 1 };

@@ -1,9 +1,11 @@
 //! JSON documents as FORMATS.md names them.
 
+mod friction;
 mod layout;
 mod number;
 mod polyhedron;
 mod sets;
+mod witness;
 
 pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
@@ -47,6 +49,10 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
     );
     result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
     result.insert("robust_acyclic".into(), answer.robust_acyclic.as_ref().map_or(Value::Null, robust));
+    let critical = answer.critical_friction.as_ref().map(friction::critical_friction);
+    result.insert("critical_friction".into(), critical.unwrap_or(Value::Null));
+    let change = answer.nearest_change.as_ref().map(friction::nearest_change);
+    result.insert("nearest_change".into(), change.unwrap_or(Value::Null));
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));
@@ -150,6 +156,9 @@ fn verdict(verdict: &WrenchVerdict) -> Value {
         "acyclic": verdict.acyclic,
         "unrefuted": verdict.unrefuted,
         "modes": verdict.modes,
+        "witness": witness::witness(&verdict.witness),
+        "consistent": verdict.witness.consistent.iter().map(|motion| motion.mode.as_str()).collect::<Value>(),
+        "motions": witness::motions(&verdict.witness),
     })
 }
 

@@ -1,10 +1,12 @@
 //! Text for people: the answer first.
 
 mod cone;
+mod friction;
 mod insert;
 mod lines;
 mod polyhedron;
 mod stable;
+mod witness;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;
