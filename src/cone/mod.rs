@@ -26,11 +26,13 @@ mod pair;
 mod polyhedron;
 mod simple;
 mod simplex;
+mod spatial;
 mod volume;
 
 pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
 pub use difference::{Outside, Split, complement, split, subtract};
+pub use faces::Face;
 pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};

@@ -6,7 +6,7 @@
 //! ever because of an intermediate.
 
 use super::gcd::word_gcd;
-use super::{Entries, Z};
+use super::{Entries, Minors, Z};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -56,7 +56,7 @@ pub fn climb<J: Ladder>(job: &J, lowest: Rung) -> (J::Output, Rung) {
 }
 
 /// Integer entries of primitive rows; the least value of a machine type (`i64::MIN`) is not one of them.
-pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
+pub trait Int: Minors + Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     /// Holds a dot product of two rows.
     type Wide: Clone + Debug;
 

@@ -16,11 +16,6 @@ pub(super) fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-/// The value of at most two words.
-pub(super) fn two_words(words: &[u64]) -> u128 {
-    words.iter().rev().fold(0, |value, word| value << 64 | u128::from(*word))
-}
-
 /// Adds `a b`.
 pub(super) fn add_product(total: &mut Limbs, a: &[u64], b: &[u64]) {
     total.resize(total.len().max(a.len() + b.len()) + 1, 0);
