@@ -5,11 +5,13 @@
 
 use divan::{Bencher, black_box};
 use partplan::cone::Pair;
-use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row, ratio};
+use partplan::cone::format::read;
+use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row, ratio, to_f64};
 use partplan::geometry::Polygon;
 use partplan::mechanics::{Contact, ContactRows, Interaction, Mode, feasible_modes, mode_cone};
 use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
 use partplan::planner::{Question, insertion, stability};
+use std::any::Any;
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -34,6 +36,86 @@ fn paper_route(bencher: Bencher, n: usize) {
     let spans: Vec<KSpan> = modes(n).iter().map(|mode| KSpan::of(&contacts, &Mode(mode.clone()).to_string())).collect();
     let mut next = spans.iter().cycle();
     bencher.bench_local(|| climb(black_box(next.next().unwrap()), Rung::Word));
+}
+
+/// Mode cones of contacts with measured places and normals, whose rows fit no word, on the rung that holds them.
+#[divan::bench(args = [3, 6])]
+fn mode_cones_of_long_numbers(bencher: Bencher, n: usize) {
+    let (part, fixture) = measured(n);
+    let contacts = Contact::of(&part, &fixture);
+    let jobs: Vec<ModeCone> = modes(n).into_iter().map(|mode| ModeCone::of(&contacts, mode)).collect();
+    let mut next = jobs.iter().cycle();
+    bencher.bench_local(|| climb(black_box(next.next().unwrap()), Rung::Word));
+}
+
+/// All modes of three contacts with the letters of strong stability, feasible or not.
+#[divan::bench]
+fn all_modes_of_three(bencher: Bencher) {
+    let contacts = contacts(3);
+    let letters = [Interaction::Separate, Interaction::SlideLeft, Interaction::SlideRight, Interaction::Roll];
+    let mode = |code: usize| (0..3).map(|place| letters[code >> (2 * place) & 3]).collect::<Vec<_>>();
+    let modes: Vec<_> = (0..64).map(mode).collect();
+    bencher.bench_local(|| {
+        modes.iter().filter(|mode| mode_cone(&contacts, black_box(mode), true).is_ok_and(|cone| cone.is_some())).count()
+    });
+}
+
+const SPANS: [&str; 3] = ["w3g_n3_m_poly", "w3g_n5_m_big", "fan3_k128_b24"];
+
+/// Cones in three dimensions from their rays: friction cones and a fan.
+#[divan::bench(args = SPANS)]
+fn spans(bencher: Bencher, name: &str) {
+    let rays = Matrix::from_rows(3, span(name));
+    bencher.bench_local(|| Pair::from_rays(black_box(rays.clone())));
+}
+
+/// The same rays with a fourth coordinate that is zero, which the method for any dimension converts.
+#[divan::bench(args = SPANS)]
+fn spans_in_four_dimensions(bencher: Bencher, name: &str) {
+    let rows = span(name).into_iter().map(|mut row| {
+        row.push(0);
+        row
+    });
+    let rays = Matrix::from_rows(4, rows);
+    bencher.bench_local(|| Pair::from_rays(black_box(rays.clone())));
+}
+
+/// Rays of a public file.
+fn span(name: &str) -> Vec<Vec<i64>> {
+    let path = format!("{}/tests/polyhedra/wrench3/{name}.ext", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read(path).expect("a readable file");
+    let rays = read(&text).expect("a polyhedron").polyhedron;
+    let row = |row: &Vec<Q>| primitive_row(&row[1..]).iter().map(|entry| i64::from_z(entry).expect("a word")).collect();
+    rays.rows().iter().map(row).collect()
+}
+
+/// A mode and its contacts on every rung that holds them.
+struct ModeCone {
+    mode: Vec<Interaction>,
+    word: Option<Vec<ContactRows<i64>>>,
+    double: Option<Vec<ContactRows<i128>>>,
+    big: Option<Vec<ContactRows<Z>>>,
+}
+
+impl ModeCone {
+    fn of(contacts: &[Contact], mode: Vec<Interaction>) -> Self {
+        Self { mode, word: on(contacts), double: on(contacts), big: on(contacts) }
+    }
+}
+
+fn on<T: Int>(contacts: &[Contact]) -> Option<Vec<ContactRows<T>>> {
+    contacts.iter().map(|contact| contact.on_rung().ok()).collect()
+}
+
+impl Ladder for ModeCone {
+    type Output = bool;
+
+    fn run<T: Int>(&self) -> Result<bool, Overflow> {
+        let rungs: [&dyn Any; 3] = [&self.word, &self.double, &self.big];
+        let contacts = rungs.into_iter().find_map(|contacts| contacts.downcast_ref::<Option<Vec<ContactRows<T>>>>());
+        let contacts = contacts.and_then(Option::as_ref).ok_or(Overflow)?;
+        Ok(black_box(mode_cone(contacts, &self.mode, true)?).is_some())
+    }
 }
 
 #[divan::bench(args = [2, 3, 4, 6, 10, 20, 50])]
@@ -154,6 +236,23 @@ fn ring(n: usize) -> (Part, Fixture) {
     });
     let fixels = fixels.collect();
     (part(vertices, [ratio(13, 1), ratio(-7, 1)], ratio(498_000, 1)), Fixture { fixels })
+}
+
+/// The contacts of [`ring`] at places of 24 bits, with unit normals a little off the edges' own.
+fn measured(n: usize) -> (Part, Fixture) {
+    let (part, mut fixture) = ring(n);
+    for (index, fixel) in fixture.fixels.iter_mut().enumerate() {
+        let off = ratio(2 * index as i64 - 5, 8_191);
+        fixel.point = fixel.point.clone().map(|value| ((value + &off) * ratio(16_384, 1)).round() / ratio(16_384, 1));
+        // the half-angle's tangent to 12 bits gives a rational unit vector
+        let [x, y] = fixel.normal.each_ref().map(to_f64);
+        let half = (y.atan2(x) / 2.0).tan();
+        let half = ratio((half * 4_093.0).round() as i64, 4_093);
+        let square = &half * &half;
+        let one = ratio(1, 1);
+        fixel.normal = [(&one - &square) / (&one + &square), ratio(2, 1) * half / (&one + &square)];
+    }
+    (part, fixture)
 }
 
 /// `n` contacts of which each can be the only one to persist: their normals' wrenches span a cone over a circle, so

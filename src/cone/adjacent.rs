@@ -1,6 +1,7 @@
 //! Which rays of a cone span a two-dimensional face, told by the facets that they lie on.
 
 use super::bits::{BitRows, count};
+use super::simple::match_simple;
 use pulp::{Simd, WithSimd};
 
 /// Appends all adjacent pairs of a ray in `ones` and a ray in `others`.
@@ -10,7 +11,7 @@ use pulp::{Simd, WithSimd};
 /// that takes at least `needed` normals, and all but one of those of either ray are enough.
 ///
 /// # Cost
-/// O(a b) for the pairs, and O(a k) more for those rays of the smaller list whose pairs leave doubt.
+/// O(a b) for the pairs (less when most rays are simple, [`match_simple`]), and O(a k) more for those rays of the smaller list whose pairs leave doubt.
 pub(super) fn adjacent_pairs(
     on: &BitRows,
     ones: &[usize],
@@ -18,6 +19,18 @@ pub(super) fn adjacent_pairs(
     needed: usize,
     found: &mut Vec<(usize, usize)>,
 ) {
+    let (mut rest, mut other_rest) = (ones.to_vec(), others.to_vec());
+    match_simple(on, needed + 1, &mut rest, &mut other_rest, found);
+    compare(on, &rest, others, needed, found);
+    if rest.len() < ones.len() {
+        let is_simple = |ray: &usize| rest.binary_search(ray).is_err();
+        let simple: Vec<usize> = ones.iter().copied().filter(is_simple).collect();
+        compare(on, &simple, &other_rest, needed, found);
+    }
+}
+
+/// The same by comparing all pairs.
+fn compare(on: &BitRows, ones: &[usize], others: &[usize], needed: usize, found: &mut Vec<(usize, usize)>) {
     let is_swapped = ones.len() > others.len();
     let (few, many) = if is_swapped { (others, ones) } else { (ones, others) };
     let start = found.len();

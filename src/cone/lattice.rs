@@ -1,6 +1,7 @@
 //! Which rays lie on which facets, and the face lattice that follows from it.
 
 use super::bits::{BitRows, Set, all, intersect, is_subset};
+use super::faces::Face;
 use crate::exact::{Int, Matrix, Overflow};
 use std::collections::BTreeSet;
 
@@ -49,6 +50,6 @@ pub(super) fn common(on: &BitRows, facets: &[usize], n_rays: usize) -> Set {
 }
 
 /// Facets that contain all rays of `face`.
-pub(super) fn tight_facets(on: &BitRows, face: &[u64], n_facets: usize) -> Vec<usize> {
+pub(super) fn tight_facets(on: &BitRows, face: &[u64], n_facets: usize) -> Face {
     (0..n_facets).filter(|facet| is_subset(face, on.row(*facet))).collect()
 }

@@ -67,7 +67,11 @@ pub(super) fn is_zero<T: Int>(row: &[T]) -> bool {
     row.iter().all(|value| value.sign() == Ordering::Equal)
 }
 
+/// Sign of `a · b`; in three dimensions it is known whatever the size of the entries.
 pub(super) fn dot_sign<T: Int>(a: &[T], b: &[T]) -> Result<Ordering, Overflow> {
+    if let (Ok(a), Ok(b)) = (a.try_into(), b.try_into()) {
+        return Ok(T::side_of(a, b));
+    }
     T::dot(a, b).map(|value| T::wide_sign(&value))
 }
 

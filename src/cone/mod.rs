@@ -25,13 +25,16 @@ mod nnc;
 mod pair;
 mod polyhedron;
 mod primal_dual;
+mod simple;
 mod simplex;
+mod spatial;
 mod volume;
 mod walk;
 
 pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
 pub use difference::{Outside, Split, complement, split, subtract};
+pub use faces::Face;
 pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};

@@ -2,10 +2,11 @@
 
 use super::bits::count;
 use super::cut::cut_space;
-use super::faces::{Summand, faces_of_strict_normals, missing_faces, rays_of_missing};
+use super::faces::{Face, Summand, faces_of_strict_normals, missing_faces, rays_of_missing};
 use super::lattice::incidence;
 use super::linear::{dot_sign, positive_combination};
 use super::pair::{Generators, Pair};
+use super::spatial::{Ring, Shape};
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A system of linear conditions on `x`.
@@ -51,7 +52,7 @@ impl<T: Int> HalfSpaces<T> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cone<T> {
     closure: Pair<T>,
-    missing: Vec<Vec<usize>>,
+    missing: Vec<Face>,
 }
 
 impl<T: Int> Cone<T> {
@@ -81,7 +82,7 @@ impl<T: Int> Cone<T> {
 
     /// The missing faces, maximal ones only, each as the sorted set of facets of the closure that contain it.
     #[must_use]
-    pub fn missing(&self) -> &[Vec<usize>] {
+    pub fn missing(&self) -> &[Face] {
         &self.missing
     }
 
@@ -172,18 +173,18 @@ impl<T: Int> Cone<T> {
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_half_spaces_plus(system: &HalfSpaces<T>, rays: &Matrix<T>) -> Result<Option<Self>, Overflow> {
-        let cut = cut_space(&system.equalities, &system.normals())?;
-        let missing = incidence(&system.strict, &cut.rays)?;
-        if missing.rows().any(|face| count(face) == cut.rays.len()) {
+        let mut generators = generators(&system.equalities, &system.normals())?;
+        let own = generators.rays.clone();
+        let missing = incidence(&system.strict, &own)?;
+        if missing.rows().any(|face| count(face) == own.len()) {
             return Ok(None);
         }
-        let mut generators = Generators { lines: cut.lines, rays: cut.rays.clone() };
         generators.rays.append(rays);
         let closure = Pair::from_generators(&generators)?;
         if system.strict.is_empty() {
             return Ok(Some(closure.into()));
         }
-        Self::with_missing_of(closure, &[Summand { rays: cut.rays, missing }]).map(Some)
+        Self::with_missing_of(closure, &[Summand { rays: own, missing }]).map(Some)
     }
 
     /// The image under the linear map `x -> map · x`, one row of `map` for each coordinate of the image.
@@ -217,6 +218,15 @@ impl<T: Int> From<Pair<T>> for Cone<T> {
     fn from(closure: Pair<T>) -> Self {
         Self { closure, missing: Vec::new() }
     }
+}
+
+/// Lines and rays of a closed cone, not in canonical form.
+fn generators<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Generators<T>, Overflow> {
+    if normals.columns() == 3 {
+        let mut ring = Ring::new();
+        return Shape::of(equalities, normals, &mut ring)?.generators(normals, &ring);
+    }
+    cut_space(equalities, normals).map(|cut| Generators { lines: cut.lines, rays: cut.rays })
 }
 
 /// Each row mapped and made primitive by a positive factor of its own.

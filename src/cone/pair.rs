@@ -4,6 +4,7 @@ use super::bits::has;
 use super::cut::cut_space;
 use super::lattice::{all_faces, incidence};
 use super::linear::dot_sign;
+use super::spatial::{Ring, Shape};
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A closed polyhedral cone by its face normals and by its generators, both minimal and canonical.
@@ -34,9 +35,23 @@ impl<T: Int> Pair<T> {
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_normals(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Self, Overflow> {
+        if normals.columns() == 3 {
+            let mut ring = Ring::new();
+            return Shape::of(equalities, normals, &mut ring)?.pair(normals, &ring);
+        }
         let cut = cut_space(equalities, normals)?;
         let (facets, rays) = (sorted(cut.facets), sorted(cut.rays));
         Ok(Self { equalities: cut.equalities, facets, lines: cut.lines, rays })
+    }
+
+    /// The cone with these forms, which are minimal, canonical and describe the same set.
+    pub(super) fn of_parts(equalities: Matrix<T>, facets: Matrix<T>, lines: Matrix<T>, rays: Matrix<T>) -> Self {
+        Self { equalities, facets, lines, rays }
+    }
+
+    /// Lines and rays.
+    pub(super) fn into_generators(self) -> Generators<T> {
+        Generators { lines: self.lines, rays: self.rays }
     }
 
     /// The cone that `generators` span.

@@ -4,7 +4,7 @@ use super::bits::{BitRows, all, has};
 use super::lattice::{incidence, subfaces};
 use super::nnc::Cone;
 use super::pair::Pair;
-use crate::exact::{Int, Matrix, Overflow, Q, Z, on_rung, primitive_row};
+use crate::exact::{Int, Matrix, Overflow, Q, Z, fraction, on_rung, primitive_row, sum};
 use num_traits::{One, Signed, Zero};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
@@ -28,25 +28,32 @@ pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow>
     if cone.closure().dim() < dim {
         return Ok(Q::zero());
     }
-    let normals = in_cube(cone.closure(), reach)?;
-    let mut pyramids = Vec::new();
-    for axis in 0..dim {
-        for side in [Ordering::Greater, Ordering::Less] {
-            if reaches(cone.closure(), axis, side) {
-                pyramids.extend(pyramid(&section(&normals, axis, side)?, axis)?);
-            }
-        }
-    }
-    let (numerator, denominator) = sum(&pyramids);
+    let facets = cone.closure().facets();
+    let sides: Vec<_> = (0..dim)
+        .flat_map(|axis| [(axis, Ordering::Greater), (axis, Ordering::Less)])
+        .filter(|(axis, side)| reaches(cone.closure(), *axis, *side))
+        .collect();
+    let pyramids = pyramids(facets, reach, &sides).or_else(|Overflow| pyramids(&facets.to_z(), reach, &sides))?;
     let scale = (1..=dim).fold(Z::one() << dim, |product, factor| product * factor);
-    Ok(Q::new(numerator, denominator * scale))
+    let (numerator, denominator) = sum(pyramids).into_raw();
+    Ok(fraction(numerator, denominator * scale))
+}
+
+/// The pyramids over the sections with these facets of the cube, as [`pyramid`] has them.
+fn pyramids<T: Int>(facets: &Matrix<T>, reach: &[Q], sides: &[(usize, Ordering)]) -> Result<Vec<Q>, Overflow> {
+    let normals = in_cube(facets, reach)?;
+    let mut pyramids = Vec::with_capacity(sides.len());
+    for (axis, side) in sides {
+        pyramids.extend(pyramid(&section(&normals, *axis, *side)?, *axis)?);
+    }
+    Ok(pyramids)
 }
 
 /// The facet normals in the coordinates `y_i = x_i / reach_i`.
-fn in_cube<T: Int>(cone: &Pair<T>, reach: &[Q]) -> Result<Matrix<T>, Overflow> {
+fn in_cube<T: Int>(facets: &Matrix<T>, reach: &[Q]) -> Result<Matrix<T>, Overflow> {
     let scale = on_rung::<T>(&primitive_row(reach))?;
-    let mut normals = Matrix::with_capacity(reach.len(), cone.facets().len());
-    for facet in cone.facets().rows() {
+    let mut normals = Matrix::with_capacity(reach.len(), facets.len());
+    for facet in facets.rows() {
         let product = |axis: usize| T::dot(&facet[axis..=axis], &scale[axis..=axis]);
         let scaled = (0..reach.len()).map(product).collect::<Result<SmallVec<[_; 4]>, _>>()?;
         normals.push_with(|entries| T::primitive(&scaled, entries))?;
@@ -87,22 +94,21 @@ fn section<T: Int>(normals: &Matrix<T>, axis: usize, side: Ordering) -> Result<P
 ///
 /// It is the sum of the simplices' `|det|` over the product of their weights; here over the weights of all vertices, each
 /// taken once, so that the fraction stays short.
-fn pyramid<T: Int>(section: &Pair<T>, axis: usize) -> Result<Option<(Z, Z)>, Overflow> {
+fn pyramid<T: Int>(section: &Pair<T>, axis: usize) -> Result<Option<Q>, Overflow> {
     if section.dim() < section.ambient() {
         return Ok(None);
     }
-    let vertices: Vec<Vec<Z>> = section.rays().rows().map(|ray| ray.iter().map(T::to_z).collect()).collect();
-    let on = incidence(section.facets(), section.rays())?;
+    let rays = section.rays();
+    let weights: Vec<Z> = rays.rows().map(|ray| ray[axis].to_z()).collect();
+    let on = incidence(section.facets(), rays)?;
     let mut numerator = Z::zero();
     let mut add = |simplex: &[usize]| {
-        let matrix: Vec<Vec<Z>> = simplex.iter().map(|vertex| vertices[*vertex].clone()).collect();
-        let others = (0..vertices.len()).filter(|vertex| !simplex.contains(vertex));
-        let weight: Z = others.map(|vertex| &vertices[vertex][axis]).product();
-        numerator += determinant(matrix).abs() * weight;
+        let others = (0..weights.len()).filter(|vertex| !simplex.contains(vertex));
+        let weight: Z = others.map(|vertex| &weights[vertex]).product();
+        numerator += determinant(rays, simplex).abs() * weight;
     };
-    triangulate(&on, &all(vertices.len()), &mut Vec::new(), &mut add);
-    let denominator = vertices.iter().map(|vertex| &vertex[axis]).product();
-    Ok(Some((numerator, denominator)))
+    triangulate(&on, &all(weights.len()), &mut Vec::new(), &mut add);
+    Ok(Some(fraction(numerator, weights.iter().product())))
 }
 
 /// Calls `emit` with the vertices of each simplex of a triangulation of `face`: its first vertex joined to each of its
@@ -124,8 +130,18 @@ fn first(set: &[u64]) -> Option<usize> {
     set.iter().enumerate().find(|(_, word)| **word != 0).map(|(at, word)| at * 64 + word.trailing_zeros() as usize)
 }
 
-/// Bareiss' fraction-free elimination.
-fn determinant(mut matrix: Vec<Vec<Z>>) -> Z {
+fn determinant<T: Int>(rays: &Matrix<T>, simplex: &[usize]) -> Z {
+    let ray = |vertex: usize| rays.row(vertex);
+    if let [a, b, c] = *simplex
+        && let (Ok(a), Ok(b), Ok(c)) = (ray(a).try_into(), ray(b).try_into(), ray(c).try_into())
+    {
+        return T::determinant(a, b, c);
+    }
+    bareiss(simplex.iter().map(|vertex| ray(*vertex).iter().map(T::to_z).collect()).collect())
+}
+
+/// The determinant by Bareiss' fraction-free elimination.
+fn bareiss(mut matrix: Vec<Vec<Z>>) -> Z {
     let size = matrix.len();
     let mut previous = Z::one();
     let mut sign = Z::one();
@@ -144,17 +160,4 @@ fn determinant(mut matrix: Vec<Vec<Z>>) -> Z {
         previous = matrix[step][step].clone();
     }
     sign * previous
-}
-
-/// Sum of fractions by halves, reduced nowhere.
-fn sum(fractions: &[(Z, Z)]) -> (Z, Z) {
-    match fractions {
-        [] => (Z::zero(), Z::one()),
-        [one] => one.clone(),
-        _ => {
-            let (left, right) = fractions.split_at(fractions.len() / 2);
-            let ((a, b), (c, d)) = (sum(left), sum(right));
-            if b == d { (a + c, b) } else { (a * &d + c * &b, b * d) }
-        }
-    }
 }

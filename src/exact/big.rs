@@ -1,6 +1,6 @@
 //! The rung of entries of any size.
 
-use super::gcd::gcd;
+use super::gcd::words_gcd;
 use super::limbs::{Divisor, Limbs, add_product, compare, subtract};
 use super::{Entries, Int, Overflow, Z};
 use num_bigint::{BigUint, Sign};
@@ -129,7 +129,7 @@ fn divide_common(row: &mut [Signed]) -> bool {
         let mut rest = value.magnitude.clone();
         divisor.reduce(&mut rest);
         if !rest.is_empty() {
-            common = gcd(&common, &rest);
+            common = words_gcd(common, rest);
             divisor = Divisor::new(&common);
         }
     }

@@ -1,7 +1,7 @@
 //! The rung of `i128` entries, whose products have 256 bits.
 
-use super::gcd::{gcd, gcd128};
-use super::limbs::{Divisor, Limbs, compare, trim, two_words};
+use super::gcd::{gcd128, words_gcd};
+use super::limbs::{Divisor, Limbs, trim};
 use super::quad::Quad;
 use super::{Entries, Int, Overflow, Z};
 use smallvec::SmallVec;
@@ -128,14 +128,10 @@ impl ExactDivisor {
     }
 }
 
-/// Both without their common divisor; they may each take up to 127 bits then.
+/// Both without their common divisor if they do not fit otherwise.
 fn coprime(p: &Quad, q: &Quad) -> Result<(i128, i128), Overflow> {
     if let (Some(p), Some(q)) = (p.narrow(), q.narrow()) {
-        let divisor = gcd128(p.unsigned_abs(), q.unsigned_abs());
-        return Ok(match i128::try_from(divisor) {
-            Ok(divisor) if divisor > 1 => (p / divisor, q / divisor),
-            _ => (p, q),
-        });
+        return Ok((p, q));
     }
     let mut pair = Entries::new();
     narrowed(&[*p, *q], &mut pair)?;
@@ -144,35 +140,55 @@ fn coprime(p: &Quad, q: &Quad) -> Result<(i128, i128), Overflow> {
 
 /// Appends the primitive form of a row of which some entry has more than 127 bits.
 fn narrowed(wide: &[Quad], out: &mut Entries<i128>) -> Result<(), Overflow> {
-    let magnitude = |value: &Quad| {
-        let mut words = Limbs::from_slice(&value.magnitude());
+    let magnitudes: SmallVec<[[u64; 4]; 16]> = wide.iter().map(Quad::magnitude).collect();
+    let nonzero = magnitudes.iter().filter(|words| **words != [0; 4]);
+    let Some(smallest) = nonzero.min_by(|a, b| a.iter().rev().cmp(b.iter().rev())) else { return Err(Overflow) };
+    let trimmed = |words: &[u64; 4]| {
+        let mut words = Limbs::from_slice(words);
         trim(&mut words);
         words
     };
-    let mut magnitudes: SmallVec<[Limbs; 16]> = wide.iter().map(magnitude).collect();
-    let nonzero = magnitudes.iter().filter(|words| !words.is_empty());
-    let Some(smallest) = nonzero.min_by(|a, b| compare(a, b)) else { return Err(Overflow) };
-    let mut common = smallest.clone();
+    let mut common = trimmed(smallest);
     let mut divisor = Divisor::new(&common);
     for words in &magnitudes {
         if common.as_slice() == [1] {
             return Err(Overflow);
         }
-        let mut rest = words.clone();
+        let mut rest = trimmed(words);
         divisor.reduce(&mut rest);
         if !rest.is_empty() {
-            common = gcd(&common, &rest);
+            common = words_gcd(common, rest);
             divisor = Divisor::new(&common);
         }
     }
-    let mut quotient = Limbs::new();
-    for (words, value) in magnitudes.iter_mut().zip(wide) {
-        divisor.divide_into(words, &mut quotient);
-        if quotient.len() > 2 {
-            return Err(Overflow);
-        }
-        let entry = i128::try_from(two_words(&quotient)).map_err(|_| Overflow)?;
+    common.resize(4, 0);
+    let common = [common[0], common[1], common[2], common[3]];
+    let (twos, n_bits) = (twos(&common), bits(&common));
+    let exact = ExactDivisor::new(low_bits_from(&common, twos));
+    for (words, value) in magnitudes.iter().zip(wide) {
+        // what is divisible has its quotient modulo 2^128 from the low words alone
+        let quotient = exact.quotient(low_bits_from(words, twos));
+        let entry = i128::try_from(quotient).ok().filter(|_| bits(words) <= n_bits + 127).ok_or(Overflow)?;
         out.push(if value.sign().is_lt() { -entry } else { entry });
     }
     Ok(())
+}
+
+fn bits(words: &[u64; 4]) -> u32 {
+    let top = words.iter().rposition(|word| *word != 0);
+    top.map_or(0, |top| 64 * (top as u32 + 1) - words[top].leading_zeros())
+}
+
+/// Trailing zeros of a number that is not zero.
+fn twos(words: &[u64; 4]) -> u32 {
+    let first = words.iter().take_while(|word| **word == 0).count();
+    64 * first as u32 + words.get(first).map_or(0, |word| word.trailing_zeros())
+}
+
+/// 128 bits from bit `start` on.
+fn low_bits_from(words: &[u64; 4], start: u32) -> u128 {
+    let word = |index: usize| u128::from(words.get(index).copied().unwrap_or(0));
+    let first = start as usize / 64;
+    let (low, shift) = (word(first) | word(first + 1) << 64, start % 64);
+    if shift == 0 { low } else { low >> shift | word(first + 2) << (128 - shift) }
 }

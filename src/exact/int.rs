@@ -5,8 +5,8 @@
 //! type and combined in twice as many bits or more, so a rung overflows when a primitive result does not fit it, hardly
 //! ever because of an intermediate.
 
-use super::gcd::gcd64;
-use super::{Entries, Z};
+use super::gcd::word_gcd;
+use super::{Entries, Minors, Z};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -56,7 +56,7 @@ pub fn climb<J: Ladder>(job: &J, lowest: Rung) -> (J::Output, Rung) {
 }
 
 /// Integer entries of primitive rows; the least value of a machine type (`i64::MIN`) is not one of them.
-pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
+pub trait Int: Minors + Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     /// Holds a dot product of two rows.
     type Wide: Clone + Debug;
 
@@ -185,7 +185,7 @@ impl Int for i64 {
         for value in row.iter() {
             let rest = value.unsigned_abs() % divisor;
             if rest != 0 {
-                divisor = gcd64(divisor, rest);
+                divisor = word_gcd(divisor, rest);
                 if divisor == 1 {
                     return;
                 }

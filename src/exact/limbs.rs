@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// Words of one number.
-pub(super) type Limbs = SmallVec<[u64; 24]>;
+pub(super) type Limbs = SmallVec<[u64; 8]>;
 
 pub(super) fn trim(words: &mut Limbs) {
     while words.last() == Some(&0) {
@@ -14,11 +14,6 @@ pub(super) fn trim(words: &mut Limbs) {
 
 pub(super) fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
-}
-
-/// The value of at most two words.
-pub(super) fn two_words(words: &[u64]) -> u128 {
-    words.iter().rev().fold(0, |value, word| value << 64 | u128::from(*word))
 }
 
 /// Adds `a b`.

@@ -56,6 +56,13 @@ impl<T: Int> Matrix<T> {
         self.columns
     }
 
+    /// The same rows in integers of any size.
+    #[must_use]
+    pub fn to_z(&self) -> Matrix<Z> {
+        let entries = self.entries.iter().map(T::to_z).collect();
+        Matrix { columns: self.columns, n_rows: self.n_rows, entries }
+    }
+
     /// Number of rows.
     #[must_use]
     pub fn len(&self) -> usize {

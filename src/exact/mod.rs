@@ -15,9 +15,11 @@ mod isolate;
 mod limbs;
 mod literal;
 mod matrix;
+mod minors;
 mod polynomial;
 mod quad;
 mod rational;
+mod wide;
 
 pub use algebraic::Algebraic;
 pub use filter::SignFilter;
@@ -25,8 +27,9 @@ pub use float_interval::FloatInterval;
 pub use int::{Int, Ladder, Overflow, Rung, climb};
 pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
 pub use matrix::{Entries, Matrix, on_rung, primitive_row};
+pub use minors::Minors;
 pub use polynomial::Polynomial;
-pub use rational::{approximate, from_float_exact, ratio, to_f64};
+pub use rational::{approximate, fraction, from_float_exact, ratio, sum, to_f64};
 
 /// Integers of any size.
 pub type Z = num_bigint::BigInt;

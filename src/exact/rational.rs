@@ -1,7 +1,8 @@
 //! Small helpers around rationals: construction, decimal views, short approximations.
 
+use super::gcd::gcd;
 use super::{Q, Z};
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// The rational `numerator / denominator`.
 ///
@@ -57,4 +58,36 @@ fn simplest_between(low: &Q, high: &Q) -> Q {
         value = whole + value.recip();
     }
     value
+}
+
+/// `numerator / denominator`, reduced.
+///
+/// # Panics
+/// If the denominator is not positive.
+#[must_use]
+pub fn fraction(numerator: Z, denominator: Z) -> Q {
+    assert!(denominator.is_positive(), "a fraction has a positive denominator");
+    let divisor = gcd(&numerator.abs(), &denominator);
+    if divisor.is_one() {
+        return Q::new_raw(numerator, denominator);
+    }
+    Q::new_raw(numerator / &divisor, denominator / divisor)
+}
+
+/// The sum, by halves: what is added has about the same length.
+#[must_use]
+pub fn sum(mut values: Vec<Q>) -> Q {
+    while values.len() > 1 {
+        values = values.chunks(2).map(|pair| if let [a, b] = pair { added(a, b) } else { pair[0].clone() }).collect();
+    }
+    values.pop().unwrap_or_else(Q::zero)
+}
+
+fn added(a: &Q, b: &Q) -> Q {
+    let common = gcd(a.denom(), b.denom());
+    let (left, right) = (a.denom() / &common, b.denom() / &common);
+    let numerator = a.numer() * &right + b.numer() * &left;
+    // reduced fractions: what divides the sum and both denominators' multiple divides their common divisor
+    let divisor = gcd(&numerator.abs(), &common);
+    Q::new_raw(numerator / &divisor, left * (b.denom() / divisor))
 }

@@ -41,11 +41,18 @@ impl Contact {
         Frame::of(part, fixture)
             .iter()
             .map(|frame| {
-                let edges = |slopes: [Q; 2]| slopes.map(|slope| primitive_row(&frame.balanced(&slope)));
+                // one factor for both columns, then integers only
+                let columns = primitive_row(&[frame.normal.clone(), frame.tangent.clone()].concat());
+                let (normal, tangent) = columns.split_at(3);
+                let balanced = |slope: &Q| {
+                    let columns = normal.iter().zip(tangent);
+                    primitive(columns.map(|(n, t)| -(n * slope.denom() + t * slope.numer())).collect())
+                };
+                let edges = |slopes: [Q; 2]| slopes.each_ref().map(balanced);
                 let forces = |interaction| edges(frame.slopes(interaction).expect("these interactions transmit force"));
                 Self {
-                    normal_acceleration: acceleration_row(&frame.normal, &rho2),
-                    tangent_acceleration: acceleration_row(&frame.tangent, &rho2),
+                    normal_acceleration: acceleration_row(normal, &rho2),
+                    tangent_acceleration: acceleration_row(tangent, &rho2),
                     static_forces: forces(Interaction::Roll),
                     sure_forces: edges(frame.sure_slopes()),
                     left_forces: forces(Interaction::SlideLeft),
@@ -71,8 +78,13 @@ impl Contact {
     }
 }
 
-fn acceleration_row(wrench: &[Q; 3], rho2: &Q) -> Vec<Z> {
-    primitive_row(&[wrench[0].clone(), wrench[1].clone(), &wrench[2] / rho2])
+fn acceleration_row(wrench: &[Z], rho2: &Q) -> Vec<Z> {
+    primitive(vec![&wrench[0] * rho2.numer(), &wrench[1] * rho2.numer(), &wrench[2] * rho2.denom()])
+}
+
+fn primitive(mut row: Vec<Z>) -> Vec<Z> {
+    Z::make_primitive(&mut row);
+    row
 }
 
 fn both<T: Int>(rows: &[Vec<Z>; 2]) -> Result<[Vec<T>; 2], Overflow> {

@@ -26,8 +26,8 @@ pub fn feasible_modes<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<Vec<Int
         let rays = Matrix::from_rows(3, face.iter().map(|ray| reachable.rays().row(*ray)));
         let mut persisting = Vec::new();
         for (index, contact) in contacts.iter().enumerate() {
-            if vanishes(&contact.normal_acceleration, &rays)?
-                && vanishes(&contact.normal_acceleration, reachable.lines())?
+            if vanishes(&contact.normal_acceleration, &rays)
+                && vanishes(&contact.normal_acceleration, reachable.lines())
             {
                 persisting.push(index);
             }
@@ -77,11 +77,11 @@ fn cells<T: Int>(contacts: &[ContactRows<T>], persisting: &[usize], face: &Pair<
     Ok(cells)
 }
 
-fn vanishes<T: Int>(row: &[T], on: &Matrix<T>) -> Result<bool, Overflow> {
-    for vector in on.rows() {
-        if T::wide_sign(&T::dot(row, vector)?).is_ne() {
-            return Ok(false);
-        }
-    }
-    Ok(true)
+fn vanishes<T: Int>(row: &[T], on: &Matrix<T>) -> bool {
+    let row = spatial(row);
+    on.rows().all(|vector| T::side_of(row, spatial(vector)).is_eq())
+}
+
+fn spatial<T>(row: &[T]) -> &[T; 3] {
+    row.try_into().expect("wrenches have three components")
 }

@@ -103,9 +103,10 @@ impl<T: Int> PlanarCone<T> {
         let kinds = [(&system.equalities, Ordering::Equal, true), (&system.closed, Ordering::Less, true)];
         for (rows, side, closed) in kinds.into_iter().chain([(&system.strict, Ordering::Less, false)]) {
             for row in rows.rows() {
-                let mut planar = Entries::new();
-                T::primitive(&[T::dot(row, &map[0])?, T::dot(row, &map[1])?], &mut planar)?;
-                conditions.push((side, closed, [planar[0].clone(), planar[1].clone()]));
+                let row = spatial(row);
+                let (x, y) = (T::product(row, spatial(&map[0]))?, T::product(row, spatial(&map[1]))?);
+                let [x, y, _] = T::on_ray(&[x, y, T::Minor::default()])?;
+                conditions.push((side, closed, [x, y]));
             }
         }
         Ok(Self { conditions })
@@ -113,7 +114,7 @@ impl<T: Int> PlanarCone<T> {
 
     fn holds(&self, direction: &[T; 2]) -> Result<bool, Overflow> {
         for (side, closed, row) in &self.conditions {
-            let sign = T::wide_sign(&T::dot(row, direction)?);
+            let sign = T::side_of(&embedded(row), &embedded(direction));
             if sign != *side && !(*closed && sign.is_eq()) {
                 return Ok(false);
             }
@@ -138,8 +139,15 @@ fn around<T: Int>(a: &[T; 2], b: &[T; 2]) -> Ordering {
 
 /// Sign of the cross product `a × b`: greater if `b` lies counter-clockwise of `a`.
 fn turn<T: Int>(a: &[T; 2], b: &[T; 2]) -> Ordering {
-    let (left, right) = (a[0].to_z() * b[1].to_z(), a[1].to_z() * b[0].to_z());
-    left.cmp(&right)
+    T::side_of(&embedded(a), &embedded(&[b[1].clone(), b[0].negated()]))
+}
+
+fn embedded<T: Int>([x, y]: &[T; 2]) -> [T; 3] {
+    [x.clone(), y.clone(), T::default()]
+}
+
+fn spatial<T>(row: &[T]) -> &[T; 3] {
+    row.try_into().expect("wrenches have three components")
 }
 
 /// A direction strictly between two that are less than half a turn apart.

@@ -3,7 +3,7 @@
 use super::fingers::{Pushes, tilt_plane};
 use crate::answer::{Action, Arc, ArcSet, FingerSet, Interval, Recommendation};
 use crate::cone::Cone;
-use crate::exact::{Int, Q, Z, approximate, from_float_exact, primitive_row, ratio, to_f64};
+use crate::exact::{Int, Q, Z, approximate, fraction, from_float_exact, primitive_row, ratio, to_f64};
 use crate::geometry::{difference, dot};
 use crate::model::{Part, Shape};
 use num_traits::{Signed, Zero};
@@ -58,21 +58,24 @@ impl Margins {
 
     /// Lower bound on the squared distance of `wrench` from the nearest cone, over its squared length.
     fn margin2(&self, wrench: &[Q]) -> Q {
-        let row = primitive_row(wrench);
-        let nearest = self.holes.iter().map(|conditions| farthest(conditions, &row)).min_by(Fraction::order);
+        self.margin2_of_row(&primitive_row(wrench)).reduced()
+    }
+
+    /// [`Margins::margin2`] of a wrench times any positive number.
+    fn margin2_of_row(&self, row: &[Z]) -> Fraction {
+        let nearest = self.holes.iter().map(|conditions| farthest(conditions, row)).min_by(Fraction::order);
         let square = |axis: usize| &row[axis] * &row[axis];
         let length2 = (square(0) + square(1)) * self.rho2.numer() + square(2) * self.rho2.denom();
-        nearest.map_or_else(Q::zero, |distance2| {
+        nearest.map_or_else(Fraction::zero, |distance2| {
             let scale = self.rho2.denom() * self.rho2.numer();
-            Q::new(distance2.numerator * scale, distance2.denominator * length2)
+            Fraction { numerator: distance2.numerator * scale, denominator: distance2.denominator * length2 }
         })
     }
 }
 
 /// Squared distance of `wrench` from the farthest of the half-spaces, over the denominator of ρ²; zero inside all.
 fn farthest(conditions: &[Condition], wrench: &[Z]) -> Fraction {
-    let none = Fraction { numerator: Z::zero(), denominator: Z::from(1) };
-    conditions.iter().fold(none, |best, Condition { normal, norm2 }| {
+    conditions.iter().fold(Fraction::zero(), |best, Condition { normal, norm2 }| {
         let height: Z = normal.iter().zip(wrench).map(|(h, g)| h * g).sum();
         if !height.is_positive() {
             return best;
@@ -83,6 +86,14 @@ fn farthest(conditions: &[Condition], wrench: &[Z]) -> Fraction {
 }
 
 impl Fraction {
+    fn zero() -> Self {
+        Self { numerator: Z::zero(), denominator: Z::from(1) }
+    }
+
+    fn reduced(self) -> Q {
+        fraction(self.numerator, self.denominator)
+    }
+
     fn order(&self, other: &Self) -> Ordering {
         (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
     }
@@ -147,20 +158,30 @@ fn best_in_interval(
     let along = difference(a, b);
     let length2 = dot(&along, &along) / &margins.rho2;
     let [low, high] = &interval.s;
+    // place k is (start + k step) / whole, and its wrench times the whole is an integer row
+    let whole = low.denom() * high.denom() * 16;
+    let start = low.numer() * high.denom() * 16;
+    let step = high.numer() * low.denom() - low.numer() * high.denom();
+    let [first, last] = &pushes.edges[edge];
     let place = |sixteenth: i64| {
-        let s = low + (high - low) * ratio(sixteenth, 16);
-        let wrench = between(&pushes.edges[edge], &s);
-        let to_end = s.clone().min(ratio(1, 1) - &s);
-        let margin2 = margins.margin2(&wrench).min(&to_end * &to_end * &length2);
-        (margin2, sixteenth, s, wrench)
+        let share: Z = &start + &step * sixteenth;
+        let row = [0, 1, 2].map(|axis| &first[axis] * &whole + (&last[axis] - &first[axis]) * &share);
+        let to_end = share.clone().min(&whole - &share);
+        let slip =
+            Fraction { numerator: &to_end * &to_end * length2.numer(), denominator: &whole * &whole * length2.denom() };
+        let margin2 = margins.margin2_of_row(&row);
+        (if slip.order(&margin2).is_lt() { slip } else { margin2 }, sixteenth, share)
     };
-    let better = |best: (Q, i64, Q, [Q; 3]), other: (Q, i64, Q, [Q; 3])| if other.0 > best.0 { other } else { best };
+    type Place = (Fraction, i64, Z);
+    let better = |best: Place, other: Place| if other.0.order(&best.0).is_gt() { other } else { best };
     let best = [4, 12].into_iter().map(place).fold(place(8), better);
     let best = [best.1 - 2, best.1 + 2].into_iter().map(place).fold(best, better);
-    let (margin2, _, s, wrench) = [best.1 - 1, best.1 + 1].into_iter().map(place).fold(best, better);
+    let (margin2, _, share) = [best.1 - 1, best.1 + 1].into_iter().map(place).fold(best, better);
+    let s = fraction(share, whole);
+    let wrench = between(&pushes.edges[edge], &s);
     let point = polygon.point(&polygon.location(edge, s.clone()));
     let direction = polygon.inward_normal(edge);
-    (margin2, Action::PushEdge { edge, interval: interval.clone(), s, point, direction }, wrench)
+    (margin2.reduced(), Action::PushEdge { edge, interval: interval.clone(), s, point, direction }, wrench)
 }
 
 fn between(plane: &[Vec<Z>; 2], s: &Q) -> [Q; 3] {

@@ -2,8 +2,7 @@
 
 use crate::answer::{CanonicalCone, Cone as ConeAnswer, Excluded, Face, Region};
 use crate::cone::{Cone, volume_in_box};
-use crate::exact::{Int, Matrix, Overflow, Q, Z};
-use num_traits::Zero;
+use crate::exact::{Int, Matrix, Overflow, Q, Z, sum};
 
 /// A cone in the canonical form of the answers.
 pub(super) fn cone_answer<T: Int>(cone: Option<&Cone<T>>) -> ConeAnswer {
@@ -12,7 +11,7 @@ pub(super) fn cone_answer<T: Int>(cone: Option<&Cone<T>>) -> ConeAnswer {
     let facets = rows(pair.facets());
     let excluded = cone.missing().iter().filter(|tight| tight.len() > 1).map(|tight| {
         let normal = (0..pair.ambient()).map(|axis| tight.iter().map(|facet| &facets[*facet][axis]).sum()).collect();
-        Excluded { normal, tight: tight.clone() }
+        Excluded { normal, tight: tight.to_vec() }
     });
     ConeAnswer::Of(CanonicalCone {
         dim: pair.dim(),
@@ -31,14 +30,11 @@ pub(super) fn cone_answer<T: Int>(cone: Option<&Cone<T>>) -> ConeAnswer {
 /// A union of disjoint cones as an answer; `reach` is the half-width of the torque axis of the box.
 pub(super) fn region_answer<T: Int>(cells: &[Cone<T>], reach: &Q) -> Result<Region, Overflow> {
     let half_widths = [Q::from(Z::from(1)), Q::from(Z::from(1)), reach.clone()];
-    let mut volume = Q::zero();
-    for cell in cells {
-        volume += volume_in_box(cell, &half_widths)?;
-    }
+    let volumes = cells.iter().map(|cell| volume_in_box(cell, &half_widths)).collect::<Result<_, _>>()?;
     Ok(Region {
         dim: cells.iter().map(|cell| cell.closure().dim()).max(),
         everything: cells.iter().any(Cone::is_everything),
-        volume_in_box: volume,
+        volume_in_box: sum(volumes),
         cells: cells.iter().map(|cell| cone_answer(Some(cell))).collect(),
     })
 }

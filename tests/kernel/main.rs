@@ -9,6 +9,7 @@ mod nearest;
 mod pitfalls;
 mod polyhedra;
 mod rungs;
+mod spatial;
 mod strict;
 #[path = "../support/mod.rs"]
 mod support;

@@ -192,9 +192,10 @@ impl Ladder for Operations {
     }
 }
 
+/// At 31 bits rays just fit a word, and the sections that measure the volume do not: those alone are done in big integers.
 #[test]
 fn every_rung_gives_the_same_sums_images_differences_and_volumes() {
-    for (twist, expected) in [(4, Rung::Word), (31, Rung::DoubleWord), (90, Rung::Big)] {
+    for (twist, expected) in [(4, Rung::Word), (31, Rung::Word), (40, Rung::DoubleWord), (90, Rung::Big)] {
         let job = Operations { twist };
         let (found, rung) = climb(&job, Rung::Word);
         assert_eq!(rung, expected, "with entries of {twist} bits");
