@@ -37,7 +37,8 @@ fn circling(steps: &[Step]) -> String {
 /// A step of the paper's stricter condition for a part that is seated all the same.
 fn losing(step: &Step) -> String {
     let lost: Vec<usize> = step.from.iter().filter(|contact| !step.to.contains(contact)).copied().collect();
-    format!("not every step adds a contact: {} it may lose {}", place(&step.from), fixels(&lost))
+    let meanwhile = if step.to.is_empty() { String::new() } else { format!(" while on {}", fixels(&step.to)) };
+    format!("not every step adds a contact: it may lose {}{meanwhile}", fixels(&lost))
 }
 
 fn moving(motion: &Motion, consistent: &[Motion]) -> String {
