@@ -77,6 +77,29 @@ fn every_verdict_on_the_public_wrenches_is_shown() {
     }
 }
 
+/// Fig. 4(c, d): what would let the peg slide in may jam it between the walls as well.
+#[test]
+fn a_peg_that_may_slide_in_may_jam() {
+    let setup = seated("n3_peg_jam");
+    // inside the cone of lra: the sum of its rays (-20, -6, 1), (0, -1, 0) and (20, -6, -11), and one of its edges
+    let down = [wrench(0, -13, -10), wrench(0, -1, 0)];
+    for entry in entries(&setup, &down) {
+        let between_walls = json!({ "contacts": [0, 1], "consistent": ["lra", "nns"] });
+        assert!(entry["states"].as_array().is_some_and(|states| states.contains(&between_walls)), "{entry:#}");
+        assert_eq!(entry["unrefuted"], json!(false));
+    }
+    check(&setup, &down).unwrap();
+}
+
+/// Fig. 5: the disc stays where it is pushed between the fixels, and only may stay if it is pulled away from them.
+#[test]
+fn a_disc_in_force_closure_is_held_for_certain_by_some_pushes_only() {
+    let setup = seated("n2_disc_fig5");
+    let pushes = [wrench(0, -1, 0), wrench(0, 1, 0), wrench(1, 0, 0)];
+    let modes: Vec<Value> = entries(&setup, &pushes).iter().map(|entry| entry["consistent"].clone()).collect();
+    assert_eq!(modes, [json!(["nn"]), json!(["nn", "ss"]), json!(["nn", "sn"])]);
+}
+
 #[test]
 fn both_commands_show_the_same() {
     let setup = seated("n3_pawl_02");

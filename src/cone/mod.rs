@@ -27,7 +27,7 @@ mod volume;
 
 pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
-pub use difference::{Split, complement, split, subtract};
+pub use difference::{Outside, Split, complement, split, subtract};
 pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};

@@ -3,7 +3,6 @@
 use super::frame::Frame;
 use super::mode::Interaction;
 use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
-use crate::geometry::cross;
 use crate::model::{Fixture, Part};
 
 /// One contact: its acceleration rows and force rays, each up to a positive factor.
@@ -70,11 +69,6 @@ impl Contact {
             right_forces: both(&self.right_forces)?,
         })
     }
-}
-
-/// Wrench of the force `direction` at `arm` from the center of mass: a column of J.
-pub(super) fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
-    [direction[0].clone(), direction[1].clone(), cross(arm, direction)]
 }
 
 fn acceleration_row(wrench: &[Q; 3], rho2: &Q) -> Vec<Z> {

@@ -1,9 +1,8 @@
 //! Contact frames in exact rationals.
 
-use super::contact::wrench;
 use super::mode::Interaction;
 use crate::exact::Q;
-use crate::geometry::difference;
+use crate::geometry::{cross, difference};
 use crate::model::{Fixture, Friction, Part};
 
 /// The frame `(n, t)` of one contact as two columns of J, and its friction.
@@ -62,4 +61,9 @@ impl Frame {
     pub fn balanced(&self, slope: &Q) -> [Q; 3] {
         std::array::from_fn(|axis| -(&self.normal[axis] + &self.tangent[axis] * slope))
     }
+}
+
+/// Wrench of the force `direction` at `arm` from the center of mass: a column of J.
+fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
+    [direction[0].clone(), direction[1].clone(), cross(arm, direction)]
 }

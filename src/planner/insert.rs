@@ -1,5 +1,6 @@
 //! Insertion against fixels: the wrenches that seat the part whatever the contacts do.
 
+use super::critical::{critical_friction, nearest_change};
 use super::fingers::{arc_set, finger_set, tilt_plane};
 use super::recommend::{Margins, recommend};
 use super::robust::robust;
@@ -24,7 +25,13 @@ use crate::model::{Fixture, Part};
 /// # Errors
 /// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
 pub fn insertion(part: &Part, fixture: &Fixture, question: &Question) -> Result<Insertion, ModeError> {
-    Ok(climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0)
+    let mut answer = climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0;
+    if question.critical {
+        let critical = critical_friction(part, fixture, &answer);
+        answer.nearest_change = answer.acyclic.is_empty().then(|| nearest_change(part, fixture, &critical));
+        answer.critical_friction = Some(critical);
+    }
+    Ok(answer)
 }
 
 struct Inserting<'a>(Task<'a>);
@@ -42,12 +49,21 @@ impl Ladder for Inserting<'_> {
             None => Verdict { acyclic: Vec::new(), cyclic: Vec::new() },
         };
         let loops = sets.transitions.iter().flat_map(|transitions| &transitions.loops);
-        let margins = Margins::of(loops.chain(&cyclic), task.part.gyration2());
+        let acyclic_holes: Vec<&Cone<T>> = loops.chain(&cyclic).collect();
+        let rho2 = task.part.gyration2();
+        let margins = Margins::of(&acyclic_holes, rho2.clone());
         let fingers = |cells: &[Cone<T>]| finger_set(task.part, &task.pushes, cells);
         let tilt = |cells: &[Cone<T>]| arc_set(&tilt_plane(), cells);
         let region = |cells: &[Cone<T>]| region_answer(cells, &task.reach);
         let (acyclic_fingers, acyclic_tilt) = (fingers(&acyclic)?, tilt(&acyclic)?);
         let inner = acyclic.iter().map(Cone::inner_point).collect::<Result<Vec<_>, _>>()?;
+        let [robust, robust_acyclic] = if task.question.robust {
+            let of_goal = robust(&holes.iter().collect::<Vec<_>>(), &goal, &rho2, None)?;
+            let of_acyclic = robust(&acyclic_holes, &acyclic, &rho2, of_goal.as_ref())?;
+            [of_goal, of_acyclic]
+        } else {
+            [None, None]
+        };
         Ok(Insertion {
             goal: region(&goal)?,
             acyclic: region(&acyclic)?,
@@ -61,7 +77,10 @@ impl Ladder for Inserting<'_> {
             acyclic_tilt,
             wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),
-            robust: if task.question.robust { robust(&holes, &goal, &task.part.gyration2())? } else { None },
+            robust,
+            robust_acyclic,
+            critical_friction: None,
+            nearest_change: None,
         })
     }
 }

@@ -32,14 +32,14 @@ struct Fraction {
 }
 
 impl Margins {
-    pub(super) fn of<'a, T: Int + 'a>(holes: impl Iterator<Item = &'a Cone<T>>, rho2: Q) -> Self {
+    pub(super) fn of<T: Int>(holes: &[&Cone<T>], rho2: Q) -> Self {
         let exact = |row: &[T]| row.iter().map(T::to_z).collect::<Vec<Z>>();
         let condition = |normal: Vec<Z>| {
             let square = |axis: usize| &normal[axis] * &normal[axis];
             let norm2 = (square(0) + square(1)) * rho2.denom() + square(2) * rho2.numer();
             Condition { normal, norm2 }
         };
-        let conditions = |cone: &Cone<T>| {
+        let conditions = |cone: &&Cone<T>| {
             let pair = cone.closure();
             let sides = pair.equalities().rows().map(exact).flat_map(|row| {
                 let opposite = row.iter().map(|value| -value).collect();
@@ -47,7 +47,7 @@ impl Margins {
             });
             pair.facets().rows().map(exact).chain(sides).map(condition).collect()
         };
-        Self { holes: holes.map(conditions).collect(), rho2 }
+        Self { holes: holes.iter().map(conditions).collect(), rho2 }
     }
 
     /// Lower bound on the squared distance of the integer wrench `row` from cone number `hole`.

@@ -24,6 +24,8 @@ pub struct Question {
     pub strict_s: bool,
     /// Whether the most robust wrench is wanted: a search that costs as much as all the rest of a plan.
     pub robust: bool,
+    /// Whether it is wanted how much friction the sets and the plan bear, and what would open an empty one.
+    pub critical: bool,
 }
 
 /// The cones of the modes asked for, in the order asked.
@@ -182,7 +184,7 @@ fn check_modes(fixture: &Fixture, question: &Question) -> Result<(), ModeError> 
     }
 }
 
-fn contacts_on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {
+pub(super) fn contacts_on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {
     contacts.iter().map(Contact::on_rung).collect()
 }
 
@@ -220,7 +222,7 @@ pub(super) fn pivoting_systems<T: Int>(contacts: &[ContactRows<T>]) -> Result<Ve
 
 /// The cones of the n 2^(n-1) transitions that do not add a contact: `s` at one fixel, `m` on any of the others, `u` on
 /// the rest, formula (21) and Table 5.
-fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<T>>, Overflow> {
+pub(super) fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<T>>, Overflow> {
     let n = contacts.len();
     let mut modes = Vec::new();
     for separating in 0..n {
@@ -249,7 +251,7 @@ fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<
 /// If they are not, no wrench is sure to seat the part: whatever it is, the frictionless least-constraint problem has a
 /// solution whose forces act on independent contacts only, so some contact carries none and does not approach while
 /// those that carry force are maintained. That state persists.
-fn are_independent<T: Int>(contacts: &[ContactRows<T>]) -> Result<bool, Overflow> {
+pub(super) fn are_independent<T: Int>(contacts: &[ContactRows<T>]) -> Result<bool, Overflow> {
     let normals = Matrix::from_rows(3, contacts.iter().map(|contact| &contact.normal_acceleration));
     Ok(contacts.len() <= 3 && 3 - Pair::from_normals(&normals, &Matrix::new(3))?.dim() == contacts.len())
 }

@@ -29,6 +29,13 @@ struct Edge<T> {
     cone: Cone<T>,
 }
 
+/// Wrenches for which the transitions `present` are possible, `undecided` are not cut by yet, and the others are impossible.
+struct OpenPiece<T> {
+    piece: Cone<T>,
+    present: u64,
+    undecided: u64,
+}
+
 /// The space of wrenches cut into convex cells by whether the graph can have a cycle.
 pub(super) struct Verdict<T> {
     /// Disjoint cells without a cycle.
@@ -127,23 +134,43 @@ impl<T: Int> Transitions<T> {
     /// Cells of the wrenches outside of all loops, each cut by one more transition only while its verdict is open.
     pub(super) fn verdict(&self, outside_loops: Vec<Cone<T>>) -> Result<Verdict<T>, Overflow> {
         let mut verdict = Verdict { acyclic: Vec::new(), cyclic: Vec::new() };
-        let all_edges = (1_u64 << self.edges.len()) - 1;
-        let mut open: Vec<(Cone<T>, u64, u64)> = outside_loops.into_iter().map(|piece| (piece, 0, all_edges)).collect();
-        while let Some((piece, present, undecided)) = open.pop() {
-            if self.has_cycle(present) {
-                verdict.cyclic.push(piece);
-                continue;
-            }
-            let Some(next) = self.most_telling(present, undecided) else {
-                verdict.acyclic.push(piece);
-                continue;
-            };
-            let undecided = undecided & !(1 << next);
-            let (possible, impossible) = split(&piece, &self.edges[next].possible)?;
-            open.extend(possible.map(|part| (part, present | 1 << next, undecided)));
-            open.extend(impossible.into_iter().map(|part| (part, present, undecided)));
+        let mut open = self.open(outside_loops);
+        while let Some((piece, is_acyclic)) = self.decide_next(&mut open)? {
+            if is_acyclic { &mut verdict.acyclic } else { &mut verdict.cyclic }.push(piece);
         }
         Ok(verdict)
+    }
+
+    /// Whether some wrench of `piece`, which lies outside of all loops, leaves the graph without a cycle.
+    pub(super) fn is_acyclic_somewhere(&self, piece: Cone<T>) -> Result<bool, Overflow> {
+        let mut open = self.open(vec![piece]);
+        while let Some((_, is_acyclic)) = self.decide_next(&mut open)? {
+            if is_acyclic {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn open(&self, pieces: Vec<Cone<T>>) -> Vec<OpenPiece<T>> {
+        let all_edges = (1_u64 << self.edges.len()) - 1;
+        pieces.into_iter().map(|piece| OpenPiece { piece, present: 0, undecided: all_edges }).collect()
+    }
+
+    /// Cuts open pieces until the last one is decided, takes that one out and says whether its graph has no cycle; `None`
+    /// when no piece is left.
+    fn decide_next(&self, open: &mut Vec<OpenPiece<T>>) -> Result<Option<(Cone<T>, bool)>, Overflow> {
+        while let Some(OpenPiece { piece, present, undecided }) = open.pop() {
+            if self.has_cycle(present) {
+                return Ok(Some((piece, false)));
+            }
+            let Some(next) = self.most_telling(present, undecided) else { return Ok(Some((piece, true))) };
+            let undecided = undecided & !(1 << next);
+            let (possible, impossible) = split(&piece, &self.edges[next].possible)?;
+            open.extend(possible.map(|piece| OpenPiece { piece, present: present | 1 << next, undecided }));
+            open.extend(impossible.into_iter().map(|piece| OpenPiece { piece, present, undecided }));
+        }
+        Ok(None)
     }
 
     fn has_cycle(&self, edges: u64) -> bool {

@@ -19,20 +19,25 @@ const ROUNDING: f64 = 0.3 * Robust::TOLERANCE;
 /// Rounded directions have at most this many decimal digits.
 const MOST_DIGITS: u32 = 9;
 
-/// The most robust wrench outside of the closed cones `holes`, with `cells` their complement; `None` if there is no cell
-/// or no hole, for then no ball or every ball fits.
+/// The most robust wrench outside of the closures of `holes`, with `cells` their complement up to faces; `None` if there
+/// is no cell or no hole, for then no ball or every ball fits. It is no worse than that `known` of a smaller set.
 ///
 /// Floating point proposes the wrench, exact arithmetic measures it ([`nearest`]), and branch and bound over all
 /// directions in outward-rounded floating point certifies that none is much better.
 ///
 /// # Errors
 /// [`Overflow`] if a dot product or a point of a cell does not fit `T`.
-pub(super) fn robust<T: Int>(holes: &[Cone<T>], cells: &[Cone<T>], rho2: &Q) -> Result<Option<Robust>, Overflow> {
+pub(super) fn robust<T: Int>(
+    holes: &[&Cone<T>],
+    cells: &[Cone<T>],
+    rho2: &Q,
+    known: Option<&Robust>,
+) -> Result<Option<Robust>, Overflow> {
     if holes.is_empty() || cells.is_empty() {
         return Ok(None);
     }
     let frame = Frame::of(rho2);
-    let margins = Margins::of(holes.iter(), rho2.clone());
+    let margins = Margins::of(holes, rho2.clone());
     let solid: Vec<Hole> = holes.iter().map(|hole| Hole::of(hole.closure(), &frame)).collect::<Result<_, _>>()?;
     let inner = |cell: &Cone<T>| cell.inner_point().map(|point| [0, 1, 2].map(|axis| point[axis].to_z()));
     let inner: Vec<[Z; 3]> = cells.iter().map(inner).collect::<Result<_, _>>()?;
@@ -51,7 +56,10 @@ pub(super) fn robust<T: Int>(holes: &[Cone<T>], cells: &[Cone<T>], rho2: &Q) -> 
         Ok(Robust { wrench: wrench.map(Q::from), radius2, radius_upper: radius_upper.clone() })
     };
     let wrench = (0..=MOST_DIGITS).find_map(short).expect("the last is taken as it is");
-    let found = measured(wrench)?;
+    let mut found = measured(wrench)?;
+    if let Some(known) = known.filter(|known| known.radius2 >= found.radius2) {
+        found = measured(known.wrench.each_ref().map(Q::to_integer))?;
+    }
     if !found.radius2.is_zero() {
         return Ok(Some(found));
     }
@@ -69,7 +77,7 @@ fn by_distance(holes: &[Hole], unit: &[f64; 3]) -> Vec<usize> {
 
 /// Squared distance of `wrench` from the nearest of the holes, over its squared length; the `order` of the holes only
 /// decides how many distances are needed.
-fn radius2<T: Int>(holes: &[Cone<T>], order: &[usize], margins: &Margins, wrench: &[Z; 3]) -> Result<Q, Overflow> {
+fn radius2<T: Int>(holes: &[&Cone<T>], order: &[usize], margins: &Margins, wrench: &[Z; 3]) -> Result<Q, Overflow> {
     let rho2 = &margins.rho2;
     let weights = [rho2.numer(), rho2.numer(), rho2.denom()].map(|weight| Q::from(weight.clone()));
     let point = wrench.each_ref().map(|value| Q::from(value.clone()));

@@ -55,6 +55,9 @@ fn answer(plan: Option<Action>) -> Insertion {
         wrenches: Vec::new(),
         modes: Vec::new(),
         robust: None,
+        robust_acyclic: None,
+        critical_friction: None,
+        nearest_change: None,
     }
 }
 

@@ -2,9 +2,11 @@
 
 use super::super::decimal::{self, near, percent};
 use super::super::{Subject, phrase};
+use super::friction;
 use super::lines::Report;
-use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation, Robust};
+use crate::answer::{Action, EmptyReason, FingerSet, Insertion, NearestChange, Recommendation};
 use crate::exact::{Z, to_f64};
+use num_traits::Signed as _;
 
 /// The answer, how to apply it, and what else would do.
 #[must_use]
@@ -13,11 +15,12 @@ pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
     if let Some(plan) = &answer.plan {
         recommend(&mut report, subject, plan);
     }
-    if let Some(robust) = &answer.robust {
-        most_robust(&mut report, subject, robust);
+    most_robust(&mut report, subject, answer);
+    if let Some(friction) = answer.critical_friction.as_ref().and_then(friction::critical) {
+        report.line("friction", &friction);
     }
     if let Some(reason) = &answer.empty_because {
-        explain(&mut report, reason);
+        explain(&mut report, reason, answer.nearest_change.as_ref());
     }
     if !answer.acyclic.is_empty() {
         alternatives(&mut report, subject, answer);
@@ -79,14 +82,17 @@ fn margin_means(subject: &Subject, plan: &Recommendation) -> String {
     }
 }
 
-/// The largest margin that any wrench has of those under which every transition adds a contact.
-fn most_robust(report: &mut Report, subject: &Subject, robust: &Robust) {
+/// The largest margin that any wrench has, and in which set: the smaller one if it has no less.
+fn most_robust(report: &mut Report, subject: &Subject, answer: &Insertion) {
+    let Some(robust) = answer.robust_acyclic.as_ref().filter(|robust| robust.radius2.is_positive()) else { return };
+    let is_in_goal = answer.robust.as_ref().is_some_and(|of_goal| of_goal.radius2 >= robust.radius2);
     let shift = decimal::root_at_least(&(&robust.radius2 * subject.part.gyration2()));
     report.line(
         "robust",
         &format!(
-            "up to {} % by the wrench {}: {} deg of its force or {shift} {} off its line",
+            "up to {} % in {} by the wrench {}: {} deg of its force or {shift} {} off its line",
             decimal::percent_at_least(&robust.radius2),
+            if is_in_goal { "goal" } else { "acyclic" },
             phrase::tuple(&robust.wrench),
             decimal::arcsine_at_least(&robust.radius2),
             subject.part.unit.symbol(),
@@ -94,11 +100,13 @@ fn most_robust(report: &mut Report, subject: &Subject, robust: &Robust) {
     );
 }
 
-fn explain(report: &mut Report, reason: &EmptyReason) {
+fn explain(report: &mut Report, reason: &EmptyReason, change: Option<&NearestChange>) {
     if let EmptyReason::BlockingModes { modes } = reason {
         report.line("because", &format!("every wrench is consistent with one of the modes {}", modes.join(" ")));
     }
-    report.line("try", phrase::remedy(reason));
+    let change = change.and_then(friction::change);
+    change.iter().for_each(|change| report.line("try", change));
+    report.line(if change.is_some() { "or" } else { "try" }, phrase::remedy(reason));
 }
 
 fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {

@@ -1,23 +1,22 @@
-//! The most robust wrench: the public cases, closed forms, invariance, and what its numbers claim, by other means.
+//! Of `goal`: the public cases, closed forms, invariance, and brute force on its closed holes.
 
-mod support;
-
+use crate::support::cases::{FOUR, NAMES, expected, number, seated, wrench_of};
+use crate::support::member::rational;
+use crate::support::modes::{Contacts, unseating_modes};
+use crate::support::random::{Setup, any_friction, polygons, runs, seatable, wrenches};
+use crate::support::{Wrench, dot, int, wrench};
+use crate::{answer, covers, norm2};
 use num_traits::{One, Signed, Zero};
 use partplan::answer::{CanonicalCone, Cone, Robust};
 use partplan::exact::{Q, from_float_exact, ratio, to_f64};
 use partplan::geometry::Polygon;
 use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
-use partplan::planner::{Question, insertion, mode_cones};
+use partplan::planner::{Question, mode_cones};
 use partplan::report::{Subject, json};
 use proptest::prelude::*;
-use support::cases::{FOUR, NAMES, expected, number, seated, wrench_of};
-use support::member::rational;
-use support::modes::{Contacts, unseating_modes};
-use support::random::{Setup, any_friction, polygons, runs, seatable, wrenches};
-use support::{Wrench, dot, int, wrench};
 
-fn robust((part, fixture): &Setup) -> Option<Robust> {
-    insertion(part, fixture, &Question { robust: true, ..Question::default() }).expect("no modes are asked for").robust
+fn robust(setup: &Setup) -> Option<Robust> {
+    answer(setup).robust
 }
 
 /// The closed cones whose complement is the goal set.
@@ -26,10 +25,6 @@ fn holes((part, fixture): &Setup) -> Vec<CanonicalCone> {
     let question = Question { modes, robust: true, ..Question::default() };
     let cones = mode_cones(part, fixture, &question).expect("one letter per fixel");
     cones.into_iter().filter_map(|(_, cone)| if let Cone::Of(cone) = cone { Some(cone) } else { None }).collect()
-}
-
-fn norm2(g: &[Q], rho2: &Q) -> Q {
-    &g[0] * &g[0] + &g[1] * &g[1] + &g[2] * &g[2] / rho2
 }
 
 /// Squared distance of `g` from `hole`: a point on the boundary is a combination of at most two generators
@@ -72,11 +67,6 @@ fn radius2(setup: &Setup, holes: &[CanonicalCone], g: &Wrench) -> Q {
     nearest / norm2(g, &rho2)
 }
 
-/// Whether `root² ≥ square` although both were rounded to doubles and back.
-fn covers(root: &Q, square: &Q) -> bool {
-    !root.is_negative() && root * root * (Q::one() + ratio(1, 1_000_000_000_000_000)) >= *square
-}
-
 /// The exact radius is that of the brute force, and the bound is above it by no more than the tolerance.
 fn check_exact(setup: &Setup, robust: &Robust) -> Result<(), TestCaseError> {
     prop_assert_eq!(&radius2(setup, &holes(setup), &robust.wrench), &robust.radius2);
@@ -109,20 +99,22 @@ fn the_public_cases_agree_with_an_independent_search() {
 #[test]
 fn the_document_names_the_wrench_its_radius_and_the_bound() {
     let (part, fixture) = seated("n2_disc_fig5");
-    let answer =
-        insertion(&part, &fixture, &Question { robust: true, ..Question::default() }).expect("no modes are asked for");
+    let answer = crate::answer(&(part.clone(), fixture.clone()));
     let subject = Subject { name: "disc", part: &part, fixture: &fixture, warnings: &[] };
-    let shown = &json::insertion(&subject, &answer, false)["result"]["robust"];
+    let document = json::insertion(&subject, &answer, false);
+    let shown = &document["result"]["robust"];
+    // the sets are equal here
+    assert_eq!(shown, &document["result"]["robust_acyclic"]);
     assert_eq!((&shown["w"], &shown["radius2"]), (&serde_json::json!([0, -1, 0]), &serde_json::json!("1/50")));
     assert_eq!(shown["radius"].as_f64(), Some(0.02_f64.sqrt()));
     let upper = shown["radius_upper"].as_f64().expect("a decimal");
     assert!((0.0..=Robust::TOLERANCE).contains(&(upper - 0.02_f64.sqrt())), "{upper}");
 
     let (part, fixture) = seated(FOUR);
-    let answer =
-        insertion(&part, &fixture, &Question { robust: true, ..Question::default() }).expect("no modes are asked for");
+    let answer = crate::answer(&(part.clone(), fixture.clone()));
     let subject = Subject { name: "square", part: &part, fixture: &fixture, warnings: &[] };
-    assert!(json::insertion(&subject, &answer, false)["result"]["robust"].is_null());
+    let shown = &json::insertion(&subject, &answer, false)["result"];
+    assert!(shown["robust"].is_null() && shown["robust_acyclic"].is_null());
 }
 
 /// A square about the origin with side 2, fixels of one friction inside edges at the given places.
