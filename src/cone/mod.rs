@@ -8,6 +8,7 @@
 
 pub mod format;
 
+mod adjacent;
 mod bits;
 mod clip;
 mod combination;
@@ -16,6 +17,7 @@ mod cut;
 mod describe;
 mod difference;
 mod faces;
+mod frame;
 mod lattice;
 mod linear;
 mod nearest;

@@ -6,12 +6,12 @@ use crate::model::{Fixture, Part};
 use num_traits::{One as _, Zero as _};
 
 /// The edges of a contact's cone of static friction while its coefficient grows: `base + k slope` for the factor `k` on the
-/// coefficient, in the order and with the sign of [`ContactRows::static_forces`].
+/// coefficient, in the order and with the sign of [`ContactRows::static_forces`](super::ContactRows::static_forces).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrictionEdges {
     /// `-J n`, each on a common factor with its slope.
     pub base: [Vec<Z>; 2],
-    /// `∓ μ J t` for the largest static coefficient `μ` of the case.
+    /// `± μ J t` for the largest static coefficient `μ` of the case.
     pub slope: [Vec<Z>; 2],
 }
 
@@ -20,8 +20,8 @@ impl FrictionEdges {
     #[must_use]
     pub fn of(part: &Part, fixture: &Fixture) -> Vec<Self> {
         let edges = |frame: &Frame| {
-            let least = frame.tangent.iter().map(|t| t * &frame.friction.static_.max);
-            let both = primitive_row(&frame.normal.iter().map(|n| -n).chain(least).collect::<Vec<_>>());
+            let tangents = frame.tangent.iter().map(|t| t * &frame.friction.static_.max);
+            let both = primitive_row(&frame.normal.iter().map(|n| -n).chain(tangents).collect::<Vec<_>>());
             let (base, slope) = (both[..3].to_vec(), both[3..].to_vec());
             Self { base: [base.clone(), base], slope: [slope.clone(), slope.iter().map(|entry| -entry).collect()] }
         };

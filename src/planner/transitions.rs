@@ -141,11 +141,12 @@ impl<T: Int> Transitions<T> {
         Ok(verdict)
     }
 
-    /// Whether some wrench of `piece`, which lies outside of all loops, leaves the graph without a cycle.
-    pub(super) fn is_acyclic_somewhere(&self, piece: Cone<T>) -> Result<bool, Overflow> {
+    /// Whether the graph is without a cycle on some cell of dimension `least_dim` or more of `piece`, which lies outside of
+    /// all loops.
+    pub(super) fn is_acyclic_somewhere(&self, piece: Cone<T>, least_dim: usize) -> Result<bool, Overflow> {
         let mut open = self.open(vec![piece]);
-        while let Some((_, is_acyclic)) = self.decide_next(&mut open)? {
-            if is_acyclic {
+        while let Some((cell, is_acyclic)) = self.decide_next(&mut open)? {
+            if is_acyclic && cell.closure().dim() >= least_dim {
                 return Ok(true);
             }
         }
