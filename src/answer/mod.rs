@@ -12,4 +12,4 @@ pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stabili
 pub use limit::Limit;
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
-pub use witness::{ContactMotion, Motion, Step, Witness};
+pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

@@ -22,6 +22,18 @@ pub struct Witness {
     /// order of the letters, one of its motions. Which of several modes happens, the model does not determine; there is
     /// always one, because kinetic friction is at most static friction.
     pub consistent: Vec<Motion>,
+    /// The same for each state short of the seat, for at most three fixels.
+    pub states: Vec<StateModes>,
+}
+
+/// The modes consistent with a wrench in one state: `l`, `r`, `n` or `s` (strict: the contact breaks) at the contacts that
+/// the part has, `a` or `s` (closed) at the others.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StateModes {
+    /// Contacts that the part has.
+    pub contacts: Vec<usize>,
+    /// Modes, sorted; at least one.
+    pub consistent: Vec<String>,
 }
 
 /// A solution of Newton's law `M v' = g + Σ (J_n c_n + J_t c_t)` in a contact mode, for a wrench `g`.

@@ -3,7 +3,7 @@
 use super::fingers::Pushes;
 use super::to_answer::cone_answer;
 use super::transitions::Transitions;
-use super::witness::witness;
+use super::witness::Witnesses;
 use crate::answer::{Cone as ConeAnswer, Witness, WrenchVerdict};
 use crate::cone::{Cone, HalfSpaces, Pair};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb, on_rung, primitive_row};
@@ -81,34 +81,48 @@ pub(super) struct Sets<T> {
     pub(super) feasible: Vec<Mode>,
     /// Cones outside of which the seated part cannot move.
     pub(super) strong_holes: Vec<Cone<T>>,
+    /// Their modes; `n..n` where it pivots.
+    pub(super) moving_modes: Vec<Mode>,
     /// Cones outside of which the part seats from every state, with their modes; `None` if together they are known to
     /// cover everything because the normals' wrenches are dependent.
     pub(super) goal_holes: Option<Vec<ModeCone<T>>>,
     /// The transition graph; `None` as for `goal_holes`, for then some unseated state can always persist.
     pub(super) transitions: Option<Transitions<T>>,
-    /// Cones outside of which insertion from rest is not refuted.
+    /// Cones outside of which insertion from rest is not refuted: first for each fixel those of rest without it.
     pub(super) refuting: Vec<Cone<T>>,
     asked: Vec<AskedCone<T>>,
 }
 
 /// A mode and its wrenches.
-type ModeCone<T> = (Mode, Cone<T>);
+pub(super) type ModeCone<T> = (Mode, Cone<T>);
 
 /// A mode that was asked for, by name, and its wrenches if it has any.
 type AskedCone<T> = (String, Option<Cone<T>>);
 
 impl<T: Int> Sets<T> {
     pub(super) fn of(task: &Task) -> Result<Self, Overflow> {
+        Self::built(task, true)
+    }
+
+    /// Those that concern the seated part only, unless wrenches are to be judged; of the others nothing may be asked.
+    pub(super) fn seated(task: &Task) -> Result<Self, Overflow> {
+        Self::built(task, !task.question.wrenches.is_empty())
+    }
+
+    fn built(task: &Task, with_steps: bool) -> Result<Self, Overflow> {
         let contacts = contacts_on_rung::<T>(&task.contacts)?;
         let feasible = feasible_modes(&contacts)?;
         let moving = moving_cones(&contacts, &feasible)?;
-        let is_independent = are_independent(&contacts)?;
+        let has_steps = with_steps && are_independent(&contacts)?;
+        let refuting = if with_steps { refuting_cones(&contacts, &moving)? } else { Vec::new() };
+        let (moving_modes, strong_holes) = moving.into_iter().unzip();
         Ok(Self {
             weak: balanced_cone(&contacts)?,
-            refuting: refuting_cones(&contacts, &moving)?,
-            strong_holes: moving.into_iter().map(|(_, cone)| cone).collect(),
-            goal_holes: is_independent.then(|| transition_cones(&contacts)).transpose()?,
-            transitions: is_independent.then(|| Transitions::of(&contacts)).transpose()?,
+            refuting,
+            moving_modes,
+            strong_holes,
+            goal_holes: has_steps.then(|| transition_cones(&contacts)).transpose()?,
+            transitions: has_steps.then(|| Transitions::of(&contacts)).transpose()?,
             feasible: feasible.into_iter().map(Mode).collect(),
             asked: asked_modes(&contacts, task.question)?,
             contacts,
@@ -117,9 +131,13 @@ impl<T: Int> Sets<T> {
 
     /// Verdicts on the wrenches that are asked about, each with what shows it.
     pub(super) fn verdicts(&self, task: &Task) -> Result<Vec<WrenchVerdict>, Overflow> {
+        if task.question.wrenches.is_empty() {
+            return Ok(Vec::new());
+        }
+        let witnesses = Witnesses::of(self, task)?;
         let judged = |wrench| {
             let verdict = self.verdict(wrench)?;
-            Ok(WrenchVerdict { witness: witness(self, task, &verdict)?, ..verdict })
+            Ok(WrenchVerdict { witness: witnesses.witness(&verdict)?, ..verdict })
         };
         task.question.wrenches.iter().map(judged).collect()
     }

@@ -27,7 +27,7 @@ impl Ladder for Resting<'_> {
 
     fn run<T: Int>(&self) -> Result<Stability, Overflow> {
         let task = &self.0;
-        let sets = Sets::<T>::of(task)?;
+        let sets = Sets::<T>::seated(task)?;
         let cells = complement(3, &sets.strong_holes)?;
         let interior = interior(&sets.weak)?;
         let weak = std::slice::from_ref(&sets.weak);

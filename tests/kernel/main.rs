@@ -1,6 +1,7 @@
 //! The cone kernel and its integers, judged by their definitions and by slow exact oracles.
 
 mod closed;
+mod combination;
 mod difference;
 mod draw;
 mod integers;

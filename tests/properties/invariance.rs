@@ -2,7 +2,7 @@
 
 use crate::support::Wrench;
 use crate::support::random::{Setup, any_friction, polygons, runs, wrenches};
-use partplan::answer::{Cone, FingerSet, Insertion, Stability};
+use partplan::answer::{Cone, FingerSet, Insertion, Stability, StateModes, Witness};
 use partplan::exact::{Q, Z, ratio};
 use partplan::geometry::Polygon;
 use partplan::model::Shape;
@@ -12,7 +12,20 @@ use proptest::prelude::*;
 fn answers((part, fixture): &Setup, wrenches: Vec<Wrench>) -> (Insertion, Stability) {
     let question = Question { wrenches, ..Question::default() };
     let no_modes = "no modes are asked for";
-    (insertion(part, fixture, &question).expect(no_modes), stability(part, fixture, &question).expect(no_modes))
+    let insert = insertion(part, fixture, &question).expect(no_modes);
+    let mut answers = (insert, stability(part, fixture, &question).expect(no_modes));
+    for verdict in answers.0.wrenches.iter_mut().chain(&mut answers.1.wrenches) {
+        verdict.witness = Witness::default(); // accelerations and forces are those of one mass, frame and order
+    }
+    answers
+}
+
+/// Modes consistent with each wrench, in the seated state and in the others.
+fn consistent((part, fixture): &Setup, wrenches: &[Wrench]) -> Vec<(Vec<String>, Vec<StateModes>)> {
+    let question = Question { wrenches: wrenches.to_vec(), ..Question::default() };
+    let verdicts = stability(part, fixture, &question).expect("no modes are asked for").wrenches;
+    let modes = |witness: Witness| (witness.consistent.into_iter().map(|motion| motion.mode).collect(), witness.states);
+    verdicts.into_iter().map(|verdict| modes(verdict.witness)).collect()
 }
 
 /// The wrenches that change most verdicts: sums of generators of the weak cone and of the cells.
@@ -89,6 +102,7 @@ proptest! {
             fixel.normal = [&fixel.normal[0] * factor, &fixel.normal[1] * factor];
         }
         let probes = probes(&setup, &random);
+        prop_assert_eq!(consistent(&scaled, &probes), consistent(&setup, &probes));
         prop_assert_eq!(answers(&scaled, probes.clone()), answers(&setup, probes));
     }
 
@@ -99,6 +113,7 @@ proptest! {
         heavier.0.mass *= &factor;
         heavier.0.inertia *= &factor;
         let probes = probes(&setup, &random);
+        prop_assert_eq!(consistent(&heavier, &probes), consistent(&setup, &probes));
         prop_assert_eq!(answers(&heavier, probes.clone()), answers(&setup, probes));
     }
 

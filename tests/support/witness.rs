@@ -41,11 +41,17 @@ impl Checker {
         Self { contacts: Contacts::of(part, fixture), mass }
     }
 
-    /// Modes over `s l r n`, `s` strict, that the programs find consistent with `g`.
-    pub fn consistent(&self, g: &Wrench) -> Vec<String> {
-        let modes = self.contacts.feasible_modes("blrn").into_iter();
-        let mut modes: Vec<String> =
-            modes.filter(|mode| self.contacts.consistent(mode, g)).map(|mode| mode.replace('b', "s")).collect();
+    /// Modes that the programs find consistent with `g` when the part touches the contacts `on`: `s` (strict), `l`, `r` and
+    /// `n` there, `a` and `s` elsewhere.
+    pub fn consistent(&self, on: &[usize], g: &Wrench) -> Vec<String> {
+        let mut modes = vec![String::new()];
+        for contact in 0..self.contacts.list.len() {
+            let letters = if on.contains(&contact) { "blrn" } else { "as" };
+            let longer = modes.iter().flat_map(|mode| letters.chars().map(move |letter| format!("{mode}{letter}")));
+            modes = longer.filter(|mode| self.contacts.feasible(mode)).collect();
+        }
+        modes.retain(|mode| self.contacts.consistent(mode, g));
+        let mut modes: Vec<String> = modes.into_iter().map(|mode| mode.replace('b', "s")).collect();
         modes.sort();
         modes
     }

@@ -1,6 +1,7 @@
 //! Why a wrench is outside of a set: the motions, steps and cycles that it makes possible.
 
 mod motion;
+mod states;
 
 use super::sets::{Sets, Task, pivoting_systems};
 use super::transitions;
@@ -10,66 +11,81 @@ use crate::exact::{Int, Matrix, Overflow, Q, on_rung, primitive_row};
 use crate::mechanics::{Frame, Interaction};
 use motion::{Pushed, still};
 use num_traits::{One as _, Signed as _, Zero as _};
+use states::States;
 
-/// What shows that `verdict` is right, and all modes that are consistent with its wrench.
-///
-/// # Source
-/// Balkcom & Trinkle (2002), §7: weak and strong stability; §8, 9: transitions; Fig. 4(c, d): indeterminacy.
-pub(super) fn witness<T: Int>(sets: &Sets<T>, task: &Task, verdict: &WrenchVerdict) -> Result<Witness, Overflow> {
-    let frames = Frame::of(task.part, task.fixture);
-    let pushed = Pushed { part: task.part, frames, contacts: &sets.contacts, wrench: &verdict.wrench };
-    let row = on_rung::<T>(&primitive_row(&verdict.wrench))?;
-    let mut consistent = Vec::new();
-    for mode in &sets.feasible {
-        consistent.extend(pushed.motion(&mode.0, true)?);
-    }
-    let persisting = if sets.transitions.is_none() { unpressed(&pushed)? } else { None };
-    Ok(Witness {
-        weak: if verdict.weak { pushed.balance()? } else { None },
-        strong: if verdict.strong { None } else { moving(&pushed, &consistent)? },
-        goal: match &sets.goal_holes {
-            Some(_) if verdict.goal => None,
-            Some(holes) => {
-                let mut step = None;
-                for (mode, hole) in holes {
-                    if hole.contains(&row)? {
-                        step = not_adding(&pushed, &mode.0)?;
-                        break;
-                    }
-                }
-                step
-            }
-            None => match &persisting {
-                Some(mode) => not_adding(&pushed, &one_separating(mode))?,
-                None => None,
-            },
-        },
-        acyclic: match &sets.transitions {
-            Some(_) if verdict.acyclic => None,
-            Some(graph) => cycle(&pushed, &graph.cycle(&row)?)?,
-            None => match &persisting {
-                Some(mode) => persistence(&pushed, mode)?.map(|step| vec![step]),
-                None => None,
-            },
-        },
-        unrefuted: if verdict.unrefuted { None } else { refuting(&pushed, &consistent)? },
-        consistent,
-    })
+/// What all wrenches that are asked about share.
+pub(super) struct Witnesses<'a, T> {
+    sets: &'a Sets<T>,
+    task: &'a Task<'a>,
+    frames: Vec<Frame>,
+    states: States<T>,
 }
 
-/// A motion of the seated part that is not rest.
-fn moving<T: Int>(pushed: &Pushed<T>, consistent: &[Motion]) -> Result<Option<Motion>, Overflow> {
-    let moves = |motion: &&Motion| motion.acceleration.iter().any(|value| !value.is_zero());
-    if let Some(motion) = consistent.iter().find(moves) {
-        return Ok(Some(motion.clone()));
+impl<'a, T: Int> Witnesses<'a, T> {
+    pub(super) fn of(sets: &'a Sets<T>, task: &'a Task<'a>) -> Result<Self, Overflow> {
+        let states = States::of(&sets.contacts)?;
+        Ok(Self { sets, task, frames: Frame::of(task.part, task.fixture), states })
     }
+
+    /// What shows that `verdict` is right, and all modes that are consistent with its wrench.
+    ///
+    /// # Source
+    /// Balkcom & Trinkle (2002), §7: weak and strong stability; §8, 9: transitions; Fig. 4(c, d): indeterminacy.
+    pub(super) fn witness(&self, verdict: &WrenchVerdict) -> Result<Witness, Overflow> {
+        let sets = self.sets;
+        let (frames, contacts) = (self.frames.as_slice(), sets.contacts.as_slice());
+        let pushed = Pushed { part: self.task.part, frames, contacts, wrench: &verdict.wrench };
+        let row = on_rung::<T>(&primitive_row(&verdict.wrench))?;
+        let (consistent, pivot) = seated(&pushed, sets, &row)?;
+        let moves = |motion: &&Motion| motion.acceleration.iter().any(|value| !value.is_zero());
+        let persisting = if sets.transitions.is_none() { unpressed(&pushed)? } else { None };
+        Ok(Witness {
+            weak: if verdict.weak { pushed.balance()? } else { None },
+            strong: consistent.iter().find(moves).cloned().or(pivot).filter(|_| !verdict.strong),
+            goal: match (&sets.goal_holes, &persisting) {
+                _ if verdict.goal => None,
+                (Some(holes), _) => {
+                    let hole = holes.iter().map(|(mode, hole)| Ok((mode, hole.contains(&row)?)));
+                    match hole.collect::<Result<Vec<_>, _>>()?.into_iter().find(|(_, inside)| *inside) {
+                        Some((mode, _)) => not_adding(&pushed, &mode.0)?,
+                        None => None,
+                    }
+                }
+                (None, Some(mode)) => not_adding(&pushed, &one_separating(mode))?,
+                (None, None) => None,
+            },
+            acyclic: match (&sets.transitions, &persisting) {
+                _ if verdict.acyclic => None,
+                (Some(graph), _) => cycle(&pushed, &graph.cycle(&row)?)?,
+                (None, Some(mode)) => persistence(&pushed, mode)?.map(|step| vec![step]),
+                (None, None) => None,
+            },
+            unrefuted: if verdict.unrefuted { None } else { refuting(&pushed, sets, &row, &consistent)? },
+            states: self.states.consistent(&row)?,
+            consistent,
+        })
+    }
+}
+
+/// The motions of the seated part, one for each consistent mode; and one that pivots about the only contact point.
+fn seated<T: Int>(pushed: &Pushed<T>, sets: &Sets<T>, row: &[T]) -> Result<(Vec<Motion>, Option<Motion>), Overflow> {
     let rolling = vec![Interaction::Roll; pushed.frames.len()];
-    for system in pivoting_systems(pushed.contacts)? {
-        if let Some(motion) = pushed.within(&system, &rolling)? {
-            return Ok(Some(motion));
+    let mut motions: Vec<Motion> = pushed.motion(&rolling, true)?.into_iter().collect();
+    let mut pivot = None;
+    for (mode, cone) in sets.moving_modes.iter().zip(&sets.strong_holes) {
+        if !cone.contains(row)? {
+            continue;
+        }
+        if mode.0 != rolling {
+            motions.extend(pushed.motion(&mode.0, true)?);
+            continue;
+        }
+        for system in pivoting_systems(pushed.contacts)? {
+            pivot = pivot.or(pushed.within(&system, &rolling)?);
         }
     }
-    Ok(None)
+    motions.sort_by(|a, b| a.mode.cmp(&b.mode));
+    Ok((motions, pivot))
 }
 
 /// The step of a mode of formula (21): the contact `s` is lost.
@@ -93,14 +109,20 @@ fn cycle<T: Int>(pushed: &Pushed<T>, states: &[usize]) -> Result<Option<Vec<Step
 }
 
 /// A rest on all contacts but one, else a break of the seated part's contacts.
-fn refuting<T: Int>(pushed: &Pushed<T>, consistent: &[Motion]) -> Result<Option<Step>, Overflow> {
+fn refuting<T: Int>(
+    pushed: &Pushed<T>,
+    sets: &Sets<T>,
+    row: &[T],
+    consistent: &[Motion],
+) -> Result<Option<Step>, Overflow> {
     let n = pushed.frames.len();
-    for free in 0..n {
-        let letter = |contact| if contact == free { Interaction::Separate } else { Interaction::Roll };
-        let mode: Vec<Interaction> = (0..n).map(letter).collect();
-        if let Some(motion) = pushed.rest(&mode)? {
+    // the first n refuting cones are those of rest
+    for (free, resting) in sets.refuting.iter().enumerate().take(n) {
+        if resting.contains(row)? {
+            let letter = |contact| if contact == free { Interaction::Separate } else { Interaction::Roll };
+            let mode: Vec<Interaction> = (0..n).map(letter).collect();
             let on = state(&mode, |interaction| interaction == Interaction::Roll);
-            return Ok(Some(Step { from: on.clone(), to: on, motion }));
+            return Ok(pushed.rest(&mode)?.map(|motion| Step { from: on.clone(), to: on, motion }));
         }
     }
     let breaks = Interaction::Separate.letter();

@@ -10,7 +10,7 @@ use num_traits::{Signed as _, Zero as _};
 /// A wrench on the part, and the contacts that it may have.
 pub(super) struct Pushed<'a, T> {
     pub(super) part: &'a Part,
-    pub(super) frames: Vec<Frame>,
+    pub(super) frames: &'a [Frame],
     pub(super) contacts: &'a [ContactRows<T>],
     pub(super) wrench: &'a [Q; 3],
 }

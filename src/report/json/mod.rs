@@ -159,6 +159,7 @@ fn verdict(verdict: &WrenchVerdict) -> Value {
         "witness": witness::witness(&verdict.witness),
         "consistent": verdict.witness.consistent.iter().map(|motion| motion.mode.as_str()).collect::<Value>(),
         "motions": witness::motions(&verdict.witness),
+        "states": witness::states(&verdict.witness),
     })
 }
 

@@ -1,7 +1,7 @@
 //! Witnesses in JSON: the terms of Newton's law, exact.
 
 use super::number::{rational, rationals};
-use crate::answer::{ContactMotion, Motion, Step, Witness};
+use crate::answer::{ContactMotion, Motion, StateModes, Step, Witness};
 use serde_json::{Map, Value, json};
 
 /// What shows each verdict; `null` where there is nothing to show.
@@ -18,6 +18,12 @@ pub(super) fn witness(witness: &Witness) -> Value {
 /// For each consistent mode one of its motions.
 pub(super) fn motions(witness: &Witness) -> Map<String, Value> {
     witness.consistent.iter().map(|one| (one.mode.clone(), motion(one))).collect()
+}
+
+/// For each state short of the seat its consistent modes.
+pub(super) fn states(witness: &Witness) -> Value {
+    let state = |state: &StateModes| json!({ "contacts": state.contacts, "consistent": state.consistent });
+    witness.states.iter().map(state).collect()
 }
 
 fn step(step: &Step) -> Value {

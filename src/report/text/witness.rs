@@ -2,7 +2,7 @@
 
 use crate::answer::{Motion, Step, WrenchVerdict};
 
-/// Fixels named in full up to this many.
+/// Fixels and modes named in full up to this many.
 const MOST_NAMED: usize = 4;
 
 /// What may keep the part from its seat, and what the seated part may do; nothing where both are certain.
@@ -37,7 +37,8 @@ fn circling(steps: &[Step]) -> String {
 /// A step of the paper's stricter condition for a part that is seated all the same.
 fn losing(step: &Step) -> String {
     let lost: Vec<usize> = step.from.iter().filter(|contact| !step.to.contains(contact)).copied().collect();
-    format!("not every step adds a contact: {} it may lose {}", place(&step.from), fixels(&lost))
+    let meanwhile = if step.to.is_empty() { String::new() } else { format!(" while on {}", fixels(&step.to)) };
+    format!("not every step adds a contact: it may lose {}{meanwhile}", fixels(&lost))
 }
 
 fn moving(motion: &Motion, consistent: &[Motion]) -> String {
@@ -54,7 +55,11 @@ fn moving(motion: &Motion, consistent: &[Motion]) -> String {
     let modes: Vec<&str> = consistent.iter().map(|motion| motion.mode.as_str()).collect();
     match modes.as_slice() {
         [only] => format!("seated, it must {parts} ({only})"),
-        many => format!("seated, it may {parts} ({}); undetermined between {}", motion.mode, many.join(" ")),
+        many => {
+            let shown = if many.len() > MOST_NAMED { MOST_NAMED - 1 } else { many.len() };
+            let rest = if shown < many.len() { format!(" and {} more", many.len() - shown) } else { String::new() };
+            format!("seated, it may {parts} ({}); undetermined between {}{rest}", motion.mode, many[..shown].join(" "))
+        }
     }
 }
 
