@@ -4,8 +4,10 @@ mod insert;
 mod limit;
 mod polyhedron;
 mod region;
+mod suggest;
 
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
+pub use suggest::{Proposal, Searched, Suggestion};

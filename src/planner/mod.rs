@@ -5,11 +5,14 @@ mod fingers;
 mod insert;
 mod recommend;
 mod robust;
+mod seating;
 mod sets;
 mod stability;
+mod suggest;
 mod to_answer;
 mod transitions;
 
 pub use insert::insertion;
 pub use sets::{Question, mode_cones};
 pub use stability::stability;
+pub use suggest::{Progress, Stage, SuggestError, suggest};

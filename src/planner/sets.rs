@@ -156,7 +156,7 @@ fn check_modes(fixture: &Fixture, question: &Question) -> Result<(), ModeError> 
     }
 }
 
-fn contacts_on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {
+pub(super) fn contacts_on_rung<T: Int>(contacts: &[Contact]) -> Result<Vec<ContactRows<T>>, Overflow> {
     contacts.iter().map(Contact::on_rung).collect()
 }
 
@@ -221,7 +221,7 @@ fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<
 /// If they are not, no wrench is sure to seat the part: whatever it is, the frictionless least-constraint problem has a
 /// solution whose forces act on independent contacts only, so some contact carries none and does not approach while
 /// those that carry force are maintained. That state persists.
-fn are_independent<T: Int>(contacts: &[ContactRows<T>]) -> Result<bool, Overflow> {
+pub(super) fn are_independent<T: Int>(contacts: &[ContactRows<T>]) -> Result<bool, Overflow> {
     let normals = Matrix::from_rows(3, contacts.iter().map(|contact| &contact.normal_acceleration));
     Ok(contacts.len() <= 3 && 3 - Pair::from_normals(&normals, &Matrix::new(3))?.dim() == contacts.len())
 }

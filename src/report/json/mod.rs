@@ -4,9 +4,11 @@ mod layout;
 mod number;
 mod polyhedron;
 mod sets;
+mod suggest;
 
 pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
+pub use suggest::{SUGGEST, suggestion};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};

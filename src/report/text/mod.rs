@@ -5,8 +5,10 @@ mod insert;
 mod lines;
 mod polyhedron;
 mod stable;
+mod suggest;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;
 pub use polyhedron::polyhedron_notes;
 pub use stable::stability;
+pub use suggest::suggestion;
