@@ -1,6 +1,6 @@
 //! Answers of `plan insert`, `plan stable` and `plan cone`.
 
-use super::{Arc, ArcSet, Cone, FingerSet, Interval, Region};
+use super::{Arc, ArcSet, Cone, CriticalFriction, FingerSet, Interval, NearestChange, Region};
 use crate::exact::{Q, Z};
 
 /// Which wrenches seat the part, and how to apply one.
@@ -32,6 +32,10 @@ pub struct Insertion {
     pub robust: Option<Robust>,
     /// The same for `acyclic`; its radius is at least that of `robust`.
     pub robust_acyclic: Option<Robust>,
+    /// How much friction the sets and the plan bear; `None` if it was not asked for.
+    pub critical_friction: Option<CriticalFriction>,
+    /// What would open `acyclic` where it is empty; `None` if it is not or if critical friction was not asked for.
+    pub nearest_change: Option<NearestChange>,
     /// Verdicts on the wrenches that were asked about.
     pub wrenches: Vec<WrenchVerdict>,
     /// Cones of the modes that were asked for, in the order asked.

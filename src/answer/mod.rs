@@ -1,11 +1,13 @@
 //! What the planners return: data only, exact, ready to be checked and reported.
 
+mod critical;
 mod insert;
 mod limit;
 mod polyhedron;
 mod region;
 mod suggest;
 
+pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
 pub use polyhedron::{Polyhedron, RowFates};

@@ -67,7 +67,13 @@ pub struct Shown {
 impl Common {
     /// What to ask the planner, together with the modes of the command.
     pub fn question(&self, modes: &[Mode]) -> Question {
-        Question { wrenches: self.wrenches.clone(), modes: modes.to_vec(), strict_s: self.strict_s, robust: true }
+        Question {
+            wrenches: self.wrenches.clone(),
+            modes: modes.to_vec(),
+            strict_s: self.strict_s,
+            robust: true,
+            critical: true,
+        }
     }
 
     /// Bounds on the case.

@@ -18,11 +18,8 @@ pub fn subtract<T: Int>(piece: &Cone<T>, hole: &Cone<T>) -> Result<Vec<Cone<T>>,
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
 pub fn complement<T: Int>(ambient: usize, holes: &[Cone<T>]) -> Result<Vec<Cone<T>>, Overflow> {
-    // simple full cones first: what half-spaces leave is small, and flat holes only cut
-    let mut order: Vec<&Cone<T>> = holes.iter().collect();
-    order.sort_by_key(|hole| (hole.closure().equalities().len(), hole.closure().facets().len()));
     let mut pieces = vec![Cone::everything(ambient)?];
-    for hole in order {
+    for hole in simplest_first(holes) {
         let conditions = hole.half_spaces()?;
         let mut rest = Vec::with_capacity(pieces.len());
         for piece in pieces {
@@ -31,6 +28,45 @@ pub fn complement<T: Int>(ambient: usize, holes: &[Cone<T>]) -> Result<Vec<Cone<
         pieces = rest;
     }
     Ok(pieces)
+}
+
+/// Everything outside of cones, one convex piece after the other: what [`complement`] lists, found only as
+/// far as it is asked for.
+pub struct Outside<T> {
+    holes: Vec<HalfSpaces<T>>,
+    /// Pieces, each with the number of holes that it is known to lie outside of.
+    open: Vec<(Cone<T>, usize)>,
+}
+
+impl<T: Int> Outside<T> {
+    /// Outside of all `holes`.
+    ///
+    /// # Errors
+    /// [`Overflow`] if a primitive row does not fit `T`.
+    pub fn of(ambient: usize, holes: &[Cone<T>]) -> Result<Self, Overflow> {
+        let holes = simplest_first(holes).into_iter().map(Cone::half_spaces).collect::<Result<_, _>>()?;
+        Ok(Self { holes, open: vec![(Cone::everything(ambient)?, 0)] })
+    }
+
+    /// One more piece, disjoint from all before; `None` when there are no others.
+    ///
+    /// # Errors
+    /// [`Overflow`] if a primitive row does not fit `T`.
+    pub fn next_piece(&mut self) -> Result<Option<Cone<T>>, Overflow> {
+        while let Some((piece, n_left)) = self.open.pop() {
+            let Some(hole) = self.holes.get(n_left) else { return Ok(Some(piece)) };
+            let (_, rest) = split(&piece, hole)?;
+            self.open.extend(rest.into_iter().map(|rest| (rest, n_left + 1)));
+        }
+        Ok(None)
+    }
+}
+
+/// Simple full cones first: what half-spaces leave is small, and flat holes only cut.
+fn simplest_first<T: Int>(holes: &[Cone<T>]) -> Vec<&Cone<T>> {
+    let mut order: Vec<&Cone<T>> = holes.iter().collect();
+    order.sort_by_key(|hole| (hole.closure().equalities().len(), hole.closure().facets().len()));
+    order
 }
 
 /// The part of a cone that satisfies a system, if there is one, and the rest as disjoint convex cones.

@@ -24,7 +24,7 @@ mod polyhedron;
 mod volume;
 
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
-pub use difference::{Split, complement, split, subtract};
+pub use difference::{Outside, Split, complement, split, subtract};
 pub use nearest::nearest;
 pub use nnc::{Cone, HalfSpaces};
 pub use pair::{Generators, Pair};

@@ -1,15 +1,26 @@
-//! Exact numbers: rationals, literals, and integer rows on a ladder of machine integers.
+//! Exact numbers: rationals, literals, integer rows on a ladder of machine integers, polynomials and their real roots.
 //!
 //! Nothing outside of this folder names `num_bigint`.
 
+mod algebraic;
+mod bracket;
+mod filter;
+mod float_interval;
+mod image;
 mod int;
+mod isolate;
 mod literal;
 mod matrix;
+mod polynomial;
 mod rational;
 
+pub use algebraic::Algebraic;
+pub use filter::SignFilter;
+pub use float_interval::FloatInterval;
 pub use int::{Int, Ladder, Overflow, Rung, climb};
 pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
 pub use matrix::{Entries, Matrix, on_rung, primitive_row};
+pub use polynomial::Polynomial;
 pub use rational::{approximate, from_float_exact, ratio, to_f64};
 
 /// Integers of any size.

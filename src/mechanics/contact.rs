@@ -78,7 +78,7 @@ impl Contact {
 }
 
 /// Wrench of the force `direction` at `arm` from the center of mass: a column of J.
-fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
+pub(super) fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
     [direction[0].clone(), direction[1].clone(), cross(arm, direction)]
 }
 

@@ -1,5 +1,6 @@
 //! Insertion against fixels: the wrenches that seat the part whatever the contacts do.
 
+use super::critical::{critical_friction, nearest_change};
 use super::fingers::{arc_set, finger_set, tilt_plane};
 use super::robust::robust;
 use super::seating::Seating;
@@ -23,7 +24,13 @@ use crate::model::{Fixture, Part};
 /// # Errors
 /// [`ModeError::Length`] for a mode asked for with another number of letters than fixels.
 pub fn insertion(part: &Part, fixture: &Fixture, question: &Question) -> Result<Insertion, ModeError> {
-    Ok(climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0)
+    let mut answer = climb(&Inserting(Task::of(part, fixture, question)?), Rung::Word).0;
+    if question.critical {
+        let critical = critical_friction(part, fixture, &answer);
+        answer.nearest_change = answer.acyclic.is_empty().then(|| nearest_change(part, fixture, &critical));
+        answer.critical_friction = Some(critical);
+    }
+    Ok(answer)
 }
 
 struct Inserting<'a>(Task<'a>);
@@ -64,6 +71,8 @@ impl Ladder for Inserting<'_> {
             modes: sets.asked_cones(),
             robust,
             robust_acyclic,
+            critical_friction: None,
+            nearest_change: None,
         })
     }
 }

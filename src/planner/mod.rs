@@ -1,5 +1,6 @@
 //! The planners: which wrenches, finger places and tilts do what is asked, decided exactly.
 
+mod critical;
 mod directions;
 mod fingers;
 mod insert;

@@ -23,6 +23,8 @@ pub struct Question {
     pub strict_s: bool,
     /// Whether the most robust wrench is wanted: a search that costs as much as all the rest of a plan.
     pub robust: bool,
+    /// Whether it is wanted how much friction the sets and the plan bear, and what would open an empty one.
+    pub critical: bool,
 }
 
 /// The cones of the modes asked for, in the order asked.
@@ -192,7 +194,7 @@ fn moving_cones<T: Int>(
 
 /// The cones of the n 2^(n-1) transitions that do not add a contact: `s` at one fixel, `m` on any of the others, `u` on
 /// the rest, formula (21) and Table 5.
-fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<T>>, Overflow> {
+pub(super) fn transition_cones<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<ModeCone<T>>, Overflow> {
     let n = contacts.len();
     let mut modes = Vec::new();
     for separating in 0..n {

@@ -12,12 +12,26 @@ pub(super) struct Transitions<T> {
     edges: Vec<Edge<T>>,
 }
 
+/// What the contacts do in a step from one state to another.
+pub(super) struct Step {
+    pub(super) mode: Vec<Interaction>,
+    /// Whether the letter `s` means that a contact breaks.
+    pub(super) strict_s: bool,
+}
+
 /// A change of state and the wrenches under which it is possible.
 struct Edge<T> {
     from: usize,
     to: usize,
     possible: HalfSpaces<T>,
     cone: Cone<T>,
+}
+
+/// Wrenches for which the transitions `present` are possible, `undecided` are not cut by yet, and the others are impossible.
+struct OpenPiece<T> {
+    piece: Cone<T>,
+    present: u64,
+    undecided: u64,
 }
 
 /// The space of wrenches cut into convex cells by whether the graph can have a cycle.
@@ -28,42 +42,45 @@ pub(super) struct Verdict<T> {
     pub(super) cyclic: Vec<Cone<T>>,
 }
 
+impl Step {
+    /// Contacts break, `C -> C \ D`, with `s` (strict) on `D` and `m` on the rest of `C`; are added, `C -> C + T`, with `m`
+    /// on `C` and `a` on `T`; or stay as they are, `C -> C`, with `m` on `C` and `s` elsewhere, unless `C` is the seated
+    /// state. All other contacts are `u`. `None` for what is no step.
+    pub(super) fn between(from: usize, to: usize, n_contacts: usize) -> Option<Self> {
+        let seated = (1_usize << n_contacts) - 1;
+        let (separating, maintained, approaching) = match (from & !to, to & !from) {
+            (0, 0) if from == seated => return None,
+            (0, 0) => (seated & !from, from, 0),
+            (broken, 0) => (broken, to, 0),
+            (0, added) => (0, from, added),
+            _ => return None,
+        };
+        let letter = |contact: usize| match 1_usize << contact {
+            bit if separating & bit != 0 => Interaction::Separate,
+            bit if maintained & bit != 0 => Interaction::Maintain,
+            bit if approaching & bit != 0 => Interaction::Approach,
+            _ => Interaction::Unconstrained,
+        };
+        Some(Self { mode: (0..n_contacts).map(letter).collect(), strict_s: from != to })
+    }
+}
+
 impl<T: Int> Transitions<T> {
-    /// The transitions of at most three contacts: contacts break, `C -> C \ D`, with `s` (strict) on `D` and `m` on the
-    /// rest of `C`; are added, `C -> C + T`, with `m` on `C` and `a` on `T`; or stay as they are, `C -> C`, with `m` on `C`
-    /// and `s` elsewhere. All other contacts are `u`.
+    /// The transitions of at most three contacts.
     ///
     /// # Source
     /// The question that Balkcom & Trinkle (2002) leave open at the end of §9: the complete set asks for all acyclic
     /// graphs with the seated state as their only sink.
     pub(super) fn of(contacts: &[ContactRows<T>]) -> Result<Self, Overflow> {
         let n_states = 1_usize << contacts.len();
-        let seated = n_states - 1;
-        let cone = |separating: usize, maintained: usize, approaching: usize, strict_s: bool| {
-            let letter = |contact: usize| match 1_usize << contact {
-                bit if separating & bit != 0 => Interaction::Separate,
-                bit if maintained & bit != 0 => Interaction::Maintain,
-                bit if approaching & bit != 0 => Interaction::Approach,
-                _ => Interaction::Unconstrained,
-            };
-            let mode: Vec<Interaction> = (0..contacts.len()).map(letter).collect();
-            mode_cone(contacts, &mode, strict_s)
-        };
-        let mut loops = Vec::new();
-        let mut edges = Vec::new();
+        let (mut loops, mut edges) = (Vec::new(), Vec::new());
         for from in 0..n_states {
             for to in 0..n_states {
-                let possible = match (from & !to, to & !from) {
-                    (0, 0) if from == seated => None,
-                    (0, 0) => {
-                        loops.extend(cone(seated & !from, from, 0, false)?);
-                        None
-                    }
-                    (broken, 0) => cone(broken, to, 0, true)?,
-                    (0, added) => cone(0, from, added, false)?,
-                    _ => None,
-                };
-                if let Some(cone) = possible {
+                let Some(step) = Step::between(from, to, contacts.len()) else { continue };
+                let Some(cone) = mode_cone(contacts, &step.mode, step.strict_s)? else { continue };
+                if from == to {
+                    loops.push(cone);
+                } else {
                     edges.push(Edge { from, to, possible: cone.half_spaces()?, cone });
                 }
             }
@@ -90,23 +107,43 @@ impl<T: Int> Transitions<T> {
     /// Cells of the wrenches outside of all loops, each cut by one more transition only while its verdict is open.
     pub(super) fn verdict(&self, outside_loops: Vec<Cone<T>>) -> Result<Verdict<T>, Overflow> {
         let mut verdict = Verdict { acyclic: Vec::new(), cyclic: Vec::new() };
-        let all_edges = (1_u64 << self.edges.len()) - 1;
-        let mut open: Vec<(Cone<T>, u64, u64)> = outside_loops.into_iter().map(|piece| (piece, 0, all_edges)).collect();
-        while let Some((piece, present, undecided)) = open.pop() {
-            if self.has_cycle(present) {
-                verdict.cyclic.push(piece);
-                continue;
-            }
-            let Some(next) = self.most_telling(present, undecided) else {
-                verdict.acyclic.push(piece);
-                continue;
-            };
-            let undecided = undecided & !(1 << next);
-            let (possible, impossible) = split(&piece, &self.edges[next].possible)?;
-            open.extend(possible.map(|part| (part, present | 1 << next, undecided)));
-            open.extend(impossible.into_iter().map(|part| (part, present, undecided)));
+        let mut open = self.open(outside_loops);
+        while let Some((piece, is_acyclic)) = self.decide_next(&mut open)? {
+            if is_acyclic { &mut verdict.acyclic } else { &mut verdict.cyclic }.push(piece);
         }
         Ok(verdict)
+    }
+
+    /// Whether some wrench of `piece`, which lies outside of all loops, leaves the graph without a cycle.
+    pub(super) fn is_acyclic_somewhere(&self, piece: Cone<T>) -> Result<bool, Overflow> {
+        let mut open = self.open(vec![piece]);
+        while let Some((_, is_acyclic)) = self.decide_next(&mut open)? {
+            if is_acyclic {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn open(&self, pieces: Vec<Cone<T>>) -> Vec<OpenPiece<T>> {
+        let all_edges = (1_u64 << self.edges.len()) - 1;
+        pieces.into_iter().map(|piece| OpenPiece { piece, present: 0, undecided: all_edges }).collect()
+    }
+
+    /// Cuts open pieces until the last one is decided, takes that one out and says whether its graph has no cycle; `None`
+    /// when no piece is left.
+    fn decide_next(&self, open: &mut Vec<OpenPiece<T>>) -> Result<Option<(Cone<T>, bool)>, Overflow> {
+        while let Some(OpenPiece { piece, present, undecided }) = open.pop() {
+            if self.has_cycle(present) {
+                return Ok(Some((piece, false)));
+            }
+            let Some(next) = self.most_telling(present, undecided) else { return Ok(Some((piece, true))) };
+            let undecided = undecided & !(1 << next);
+            let (possible, impossible) = split(&piece, &self.edges[next].possible)?;
+            open.extend(possible.map(|piece| OpenPiece { piece, present: present | 1 << next, undecided }));
+            open.extend(impossible.into_iter().map(|piece| OpenPiece { piece, present, undecided }));
+        }
+        Ok(None)
     }
 
     fn has_cycle(&self, edges: u64) -> bool {

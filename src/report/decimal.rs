@@ -1,7 +1,7 @@
 //! Decimal views of exact numbers, rounded towards the side that keeps a statement true.
 
 use crate::answer::{Arc, Interval};
-use crate::exact::{Q, Z, to_f64};
+use crate::exact::{Algebraic, Q, Z, from_float_exact, to_f64};
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
 /// What a decimal view of an interval can say without saying too much.
@@ -88,6 +88,16 @@ pub(super) fn arcsine_at_least(square: &Q) -> String {
         Some(step) => step.show(&step.inside(angle, is_exact, true, -1.0)),
         None => "0".to_owned(),
     }
+}
+
+/// A factor in percent, rounded down to three digits; below it if `at` is false.
+pub(super) fn percent_up_to(factor: &Algebraic, at: bool) -> String {
+    let near = factor.to_f64() * 100.0;
+    let Some(step) = Step::hundredth_of(near) else { return "0".to_owned() };
+    let [low, high] =
+        factor.enclosure(&(from_float_exact(near).unwrap_or_default() * Q::new(Z::one(), Z::from(1 << 30))));
+    let percent = &low * Q::from(Z::from(100));
+    step.show(&step.root_below(&(&percent * &percent), at || low < high))
 }
 
 /// A share in percent, three digits, never rounded to 0 or 100 unless it is.

@@ -9,6 +9,7 @@ pub mod member;
 pub mod modes;
 pub mod paper;
 pub mod random;
+pub mod sturm;
 
 use partplan::exact::{Q, parse_literal};
 

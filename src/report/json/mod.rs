@@ -1,5 +1,6 @@
 //! JSON documents as FORMATS.md names them.
 
+mod friction;
 mod layout;
 mod number;
 mod polyhedron;
@@ -49,6 +50,10 @@ pub fn insertion(subject: &Subject, answer: &Insertion, cells: bool) -> Value {
     );
     result.insert("robust".into(), answer.robust.as_ref().map_or(Value::Null, robust));
     result.insert("robust_acyclic".into(), answer.robust_acyclic.as_ref().map_or(Value::Null, robust));
+    let critical = answer.critical_friction.as_ref().map(friction::critical_friction);
+    result.insert("critical_friction".into(), critical.unwrap_or(Value::Null));
+    let change = answer.nearest_change.as_ref().map(friction::nearest_change);
+    result.insert("nearest_change".into(), change.unwrap_or(Value::Null));
     result.insert("plan".into(), answer.plan.as_ref().map_or(Value::Null, plan));
     if let Some(reason) = &answer.empty_because {
         result.insert("empty_because".into(), empty_because(reason));

@@ -56,6 +56,8 @@ fn answer(plan: Option<Action>) -> Insertion {
         modes: Vec::new(),
         robust: None,
         robust_acyclic: None,
+        critical_friction: None,
+        nearest_change: None,
     }
 }
 

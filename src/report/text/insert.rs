@@ -2,8 +2,9 @@
 
 use super::super::decimal::{self, near, percent};
 use super::super::{Subject, phrase};
+use super::friction;
 use super::lines::Report;
-use crate::answer::{Action, EmptyReason, FingerSet, Insertion, Recommendation};
+use crate::answer::{Action, EmptyReason, FingerSet, Insertion, NearestChange, Recommendation};
 use crate::exact::{Z, to_f64};
 use num_traits::Signed as _;
 
@@ -15,8 +16,11 @@ pub fn insertion(subject: &Subject, answer: &Insertion) -> String {
         recommend(&mut report, subject, plan);
     }
     most_robust(&mut report, subject, answer);
+    if let Some(friction) = answer.critical_friction.as_ref().and_then(friction::critical) {
+        report.line("friction", &friction);
+    }
     if let Some(reason) = &answer.empty_because {
-        explain(&mut report, reason);
+        explain(&mut report, reason, answer.nearest_change.as_ref());
     }
     if !answer.acyclic.is_empty() {
         alternatives(&mut report, subject, answer);
@@ -96,11 +100,13 @@ fn most_robust(report: &mut Report, subject: &Subject, answer: &Insertion) {
     );
 }
 
-fn explain(report: &mut Report, reason: &EmptyReason) {
+fn explain(report: &mut Report, reason: &EmptyReason, change: Option<&NearestChange>) {
     if let EmptyReason::BlockingModes { modes } = reason {
         report.line("because", &format!("every wrench is consistent with one of the modes {}", modes.join(" ")));
     }
-    report.line("try", phrase::remedy(reason));
+    let change = change.and_then(friction::change);
+    change.iter().for_each(|change| report.line("try", change));
+    report.line(if change.is_some() { "or" } else { "try" }, phrase::remedy(reason));
 }
 
 fn alternatives(report: &mut Report, subject: &Subject, answer: &Insertion) {

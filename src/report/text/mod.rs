@@ -1,6 +1,7 @@
 //! Text for people: the answer first.
 
 mod cone;
+mod friction;
 mod insert;
 mod lines;
 mod polyhedron;

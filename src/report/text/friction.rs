@@ -1,0 +1,43 @@
+//! Critical friction in words.
+
+use super::super::decimal::percent_up_to;
+use crate::answer::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
+
+/// How much friction the plan bears, and how much any wrench does; `None` without a plan.
+pub(super) fn critical(critical: &CriticalFriction) -> Option<String> {
+    let plan = match critical.plan.as_ref()? {
+        FrictionLimit::Always => return None,
+        FrictionLimit::Never => return Some("the plan works whatever the friction".to_owned()),
+        FrictionLimit::Finite(plan) => plan,
+    };
+    let any = match &critical.acyclic {
+        FrictionLimit::Finite(end) if end.factor == plan.factor => format!("no wrench beyond{}", after(end)),
+        FrictionLimit::Finite(end) => format!("some wrench up to {}{}", share(end), after(end)),
+        FrictionLimit::Always | FrictionLimit::Never => "some wrench whatever it is".to_owned(),
+    };
+    Some(format!("the plan works up to {} of the friction given, {any}", share(plan)))
+}
+
+/// What would open an empty set; `None` if no change of friction and no fixel left out would.
+pub(super) fn change(change: &NearestChange) -> Option<String> {
+    if let Some(all) = &change.all {
+        let single = change.single.iter().map(|(fixel, end)| format!(", or {} of fixel {fixel}'s alone", share(end)));
+        return Some(format!("at most {} of the friction given{}", share(all), single.collect::<String>()));
+    }
+    let (last, others) = change.without.split_last()?;
+    let others: Vec<String> = others.iter().map(usize::to_string).collect();
+    let list = if others.is_empty() { last.to_string() } else { format!("{} or {last}", others.join(", ")) };
+    Some(format!("leave out fixel {list}"))
+}
+
+fn share(end: &CriticalFactor) -> String {
+    format!("{} %", percent_up_to(&end.factor, end.is_attained == Some(true)))
+}
+
+fn after(end: &CriticalFactor) -> String {
+    match (end.jam, end.end) {
+        (Some([first, second]), _) => format!("; then fixels {first} and {second} jam the part"),
+        (None, Some(End::Jumps)) => "; then all at once none".to_owned(),
+        (None, _) => String::new(),
+    }
+}
