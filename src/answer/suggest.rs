@@ -1,6 +1,6 @@
 //! Answer of `plan insert --suggest`.
 
-use super::{EmptyReason, Limit, Recommendation};
+use super::{CriticalFriction, EmptyReason, Limit, Recommendation};
 use crate::exact::Q;
 use crate::model::Fixture;
 
@@ -26,6 +26,8 @@ pub struct Proposal {
     pub places: Vec<(usize, Q)>,
     /// The push or tilt that `plan insert` recommends for these fixels, with its exact margin.
     pub plan: Recommendation,
+    /// Up to which factor on the friction there are a plan and a guarantee; `None` where a limit ended the search before.
+    pub critical_friction: Option<CriticalFriction>,
 }
 
 /// Work done.

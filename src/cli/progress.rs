@@ -20,6 +20,7 @@ impl Bar {
         let stage = match progress.stage {
             Stage::Survey => "estimating",
             Stage::Plan => "planning",
+            Stage::Friction => "friction",
         };
         if self.0.message() != stage {
             self.0.set_message(stage);

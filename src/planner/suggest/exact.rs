@@ -14,7 +14,7 @@ use crate::model::{Fixel, Fixture, Part, Place};
 use std::cell::Cell;
 
 /// The first steps of the search, in [`PARTS`] of an edge.
-const FIRST_STEP: i64 = PARTS / 16;
+const FIRST_STEP: i64 = PARTS / 32;
 
 /// A move is not planned for whose estimate is below this share of the margin it has to beat.
 const HOPE: f64 = 0.97;
@@ -54,7 +54,7 @@ impl<'a> Planner<'a> {
         }
         let mut step = FIRST_STEP;
         while step > 0 {
-            let moves = neighbours(&shares, step).into_iter().find_map(|moved| {
+            let moves = neighbours(&shares, step, 1).into_iter().find_map(|moved| {
                 if !is_hopeful(estimator, &candidate.edges, &moved, &best.plan, searched) {
                     return None;
                 }
@@ -81,7 +81,7 @@ impl<'a> Planner<'a> {
         let plan = plan?;
         // a wrench that neither finger nor tilt can exert is no plan to build fixels for
         let is_simple = !matches!(plan.action, Action::Wrench);
-        is_simple.then_some(Proposal { fixture, places, plan })
+        is_simple.then_some(Proposal { fixture, places, plan, critical_friction: None })
     }
 
     fn fixture_at(&self, places: &[(usize, Q)]) -> Fixture {

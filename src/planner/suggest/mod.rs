@@ -4,6 +4,7 @@ mod estimate;
 mod exact;
 mod survey;
 
+use super::{Question, insertion};
 use crate::answer::{EmptyReason, Proposal, Suggestion};
 use crate::exact::to_f64;
 use crate::model::{Fixture, Part, Shape};
@@ -37,6 +38,8 @@ pub enum Stage {
     Survey,
     /// Planning exactly for the most promising.
     Plan,
+    /// Telling how much friction the proposals bear.
+    Friction,
 }
 
 /// Proposes places for the fixels on the edges of `part`, at most `count`, the best first; `watch` hears of every step.
@@ -76,6 +79,14 @@ pub fn suggest(
         if let Some(proposal) = planner.improved(candidate, least, &estimator, &mut found.searched) {
             rank(&mut found.proposals, proposal, count);
         }
+    }
+    let of = found.proposals.len();
+    for done in 0..of {
+        watch(Progress { stage: Stage::Friction, done, of, so_far: &found });
+        let proposal = &mut found.proposals[done];
+        let question = Question { critical: true, ..Question::default() };
+        let answer = insertion(part, &proposal.fixture, &question).expect("no modes are asked for");
+        proposal.critical_friction = answer.critical_friction;
     }
     Ok(found)
 }

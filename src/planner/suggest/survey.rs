@@ -85,7 +85,7 @@ impl Candidate {
         let mut step = PARTS / 8;
         while step > 0 {
             let before = self.margin;
-            for moved in neighbours(&self.shares.clone(), step) {
+            for moved in neighbours(&self.shares.clone(), step, self.shares.len()) {
                 self.offer(moved, estimator, searched);
             }
             if self.margin <= before {
@@ -104,15 +104,16 @@ impl Candidate {
     }
 }
 
-/// The places that differ from `shares` by a step or none of each fixel, single moves first.
-pub(super) fn neighbours(shares: &[i64], step: i64) -> Vec<Vec<i64>> {
+/// The places that differ from `shares` by a step of at most `at_once` fixels, single moves first.
+pub(super) fn neighbours(shares: &[i64], step: i64, at_once: usize) -> Vec<Vec<i64>> {
     let mut moves = vec![Vec::new()];
     for _ in shares {
-        moves =
-            moves.iter().flat_map(|m: &Vec<i64>| [0, -step, step].map(|by| [m.as_slice(), &[by]].concat())).collect();
+        let extended = |moves: &Vec<i64>| [0, -step, step].map(|by| [moves.as_slice(), &[by]].concat());
+        moves = moves.iter().flat_map(extended).collect();
     }
-    moves.retain(|moves| moves.iter().any(|by| *by != 0));
-    moves.sort_by_key(|moves| moves.iter().filter(|by| **by != 0).count());
+    let n_moved = |moves: &Vec<i64>| moves.iter().filter(|by| **by != 0).count();
+    moves.retain(|moves| (1..=at_once).contains(&n_moved(moves)));
+    moves.sort_by_key(n_moved);
     let moved = |moves: &Vec<i64>| shares.iter().zip(moves).map(|(share, by)| share + by).collect::<Vec<i64>>();
     moves.iter().map(moved).filter(|shares| shares.iter().all(|share| INSIDE.contains(share))).collect()
 }

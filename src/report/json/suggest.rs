@@ -1,6 +1,7 @@
 //! The document of `plan insert --suggest`.
 
 use super::super::Subject;
+use super::friction::critical_friction;
 use super::number::{rational, rationals};
 use super::{context, empty_because, envelope, plan};
 use crate::answer::{Proposal, Suggestion};
@@ -59,6 +60,7 @@ fn proposal(proposal: &Proposal) -> Value {
         "plan": plan(&proposal.plan),
         "margin2": rational(&proposal.plan.margin2),
         "margin_approx": to_f64(&proposal.plan.margin2).sqrt(),
+        "critical_friction": proposal.critical_friction.as_ref().map(critical_friction),
         "insert": { "fixels": placed().map(given).collect::<Value>() },
     })
 }

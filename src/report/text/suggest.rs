@@ -2,6 +2,7 @@
 
 use super::super::decimal;
 use super::super::{Subject, phrase};
+use super::friction;
 use super::lines::Report;
 use crate::answer::{Action, Limit, Proposal, Recommendation, Suggestion};
 
@@ -55,6 +56,9 @@ fn describe(report: &mut Report, subject: &Subject, number: usize, proposal: &Pr
         .collect();
     report.list("fixels", &fixels, "none");
     aim(report, subject, &proposal.plan);
+    if let Some(friction) = proposal.critical_friction.as_ref().and_then(friction::critical) {
+        report.line("friction", &friction);
+    }
 }
 
 fn aim(report: &mut Report, subject: &Subject, plan: &Recommendation) {
