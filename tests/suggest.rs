@@ -3,7 +3,7 @@
 mod support;
 
 use num_traits::Signed as _;
-use partplan::answer::{Action, EmptyReason, Proposal, Suggestion};
+use partplan::answer::{Action, EmptyReason, Limit, Proposal, Suggestion};
 use partplan::case::{self, Limits};
 use partplan::exact::{Q, ratio};
 use partplan::geometry::Polygon;
@@ -189,6 +189,29 @@ fn the_same_case_gets_the_same_proposals_and_every_step_is_told_in_order() {
     assert!(stage(Stage::Survey).eq(0..10));
     assert!(stage(Stage::Plan).enumerate().all(|(index, done)| index == done));
     assert_eq!(stage(Stage::Friction).count(), first.unwrap().proposals.len());
+}
+
+/// What a limit leaves is a list of the same kind, and says that it is not the end.
+#[test]
+fn a_search_that_is_cut_short_has_told_what_it_found() {
+    let setup = triangle(&[ratio(1, 5), ratio(1, 5)]);
+    let mut left = Suggestion::default();
+    let whole = suggest(&setup.0, &setup.1, 2, &mut |step| {
+        if step.stage == Stage::Plan && left.proposals.is_empty() {
+            left = Suggestion { limit: Some(Limit::Time), ..step.so_far.clone() };
+        }
+    });
+    assert!(whole.is_ok_and(|whole| whole.proposals.len() >= left.proposals.len() && whole.limit.is_none()));
+    let [proposal] = &left.proposals[..] else { panic!("one at a time: {left:?}") };
+    assert_eq!(margin2(&setup.0, &proposal.fixture).as_ref(), Some(&proposal.plan.margin2));
+    let subject = Subject { name: "triangle", part: &setup.0, fixture: &setup.1, warnings: &[] };
+    let (words, document) = (text::suggestion(&subject, &left), json::suggestion(&subject, &left));
+    assert!(words.contains("the time limit ended the search"), "{words}");
+    assert_eq!((&document["status"], &document["result"]["limit"]), (&"plan".into(), &"time".into()));
+    assert_eq!(document["result"]["complete"], Value::Bool(false));
+
+    let none = Suggestion { proposals: Vec::new(), ..left };
+    assert_eq!(json::suggestion(&subject, &none)["status"], Value::from("undecided"));
 }
 
 #[test]

@@ -16,9 +16,6 @@ use std::cell::Cell;
 /// The first steps of the search, in [`PARTS`] of an edge.
 const FIRST_STEP: i64 = PARTS / 32;
 
-/// A move is not planned for whose estimate is below this share of the margin it has to beat.
-const HOPE: f64 = 0.97;
-
 /// Places are not improved whose margin is below this share of what it has to beat.
 const CHANCE: f64 = 0.6;
 
@@ -54,7 +51,7 @@ impl<'a> Planner<'a> {
         }
         let mut step = FIRST_STEP;
         while step > 0 {
-            let moves = neighbours(&shares, step, 1).into_iter().find_map(|moved| {
+            let moves = neighbours(&shares, step, 2).into_iter().find_map(|moved| {
                 if !is_hopeful(estimator, &candidate.edges, &moved, &best.plan, searched) {
                     return None;
                 }
@@ -105,7 +102,7 @@ fn is_hopeful(
 ) -> bool {
     searched.estimated += 1;
     let places = edges.iter().zip(shares).map(|(edge, share)| (*edge, *share as f64 / PARTS as f64));
-    let least = HOPE * to_f64(&plan.margin2).sqrt();
+    let least = to_f64(&plan.margin2).sqrt();
     estimator.margin(&places.collect::<Vec<_>>(), least) > least
 }
 

@@ -4,7 +4,7 @@ use super::super::decimal;
 use super::super::{Subject, phrase};
 use super::friction;
 use super::lines::Report;
-use crate::answer::{Action, Limit, Proposal, Recommendation, Suggestion};
+use crate::answer::{Action, Proposal, Recommendation, Suggestion};
 
 /// The best places, then every proposal in a few lines.
 #[must_use]
@@ -18,11 +18,8 @@ pub fn suggestion(subject: &Subject, answer: &Suggestion) -> String {
         return report.finish();
     }
     if let Some(limit) = answer.limit {
-        let limit = match limit {
-            Limit::Time => "time",
-            Limit::Memory => "memory",
-        };
-        report.line("incomplete", &format!("the limit of {limit} ended the search; these are the best so far"));
+        let ended = format!("the {} limit ended the search; these are the best so far", limit.name());
+        report.line("incomplete", &ended);
     }
     let searched = &answer.searched;
     report.line(
