@@ -56,6 +56,23 @@ fn insertion_of_three_with_robust(bencher: Bencher) {
 }
 
 #[divan::bench]
+fn insertion_of_three_with_critical_friction(bencher: Bencher) {
+    let (part, fixture) = pawl();
+    let question = Question { critical: true, ..Question::default() };
+    bencher.bench_local(|| insertion(black_box(&part), &fixture, &question));
+}
+
+/// The same with the second fixel moved, so that no pair jams and the sets shrink to nothing.
+#[divan::bench]
+fn insertion_of_three_with_irrational_critical_friction(bencher: Bencher) {
+    let (part, mut fixture) = pawl();
+    fixture.fixels[1].point = [ratio(9, 2), ratio(9, 2)];
+    fixture.fixels[1].normal = [ratio(-1, 1), ratio(-3, 1)];
+    let question = Question { critical: true, ..Question::default() };
+    bencher.bench_local(|| insertion(black_box(&part), &fixture, &question));
+}
+
+#[divan::bench]
 fn stability_of_three(bencher: Bencher) {
     let (part, fixture) = pawl();
     bencher.bench_local(|| stability(black_box(&part), &fixture, &Question::default()));

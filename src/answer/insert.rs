@@ -1,6 +1,6 @@
 //! Answers of `plan insert`, `plan stable` and `plan cone`.
 
-use super::{Arc, ArcSet, Cone, CriticalFriction, FingerSet, Interval, NearestChange, Region};
+use super::{Arc, ArcSet, Cone, CriticalFriction, FingerSet, Interval, NearestChange, Region, Witness};
 use crate::exact::{Q, Z};
 
 /// Which wrenches seat the part, and how to apply one.
@@ -86,6 +86,8 @@ pub struct WrenchVerdict {
     pub unrefuted: bool,
     /// Of the modes that were asked for, those whose cone contains the wrench.
     pub modes: Vec<String>,
+    /// What shows that the verdict is right.
+    pub witness: Witness,
 }
 
 /// A push or tilt that seats the part.

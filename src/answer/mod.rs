@@ -6,6 +6,7 @@ mod limit;
 mod polyhedron;
 mod region;
 mod suggest;
+mod witness;
 
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
@@ -13,3 +14,4 @@ pub use limit::Limit;
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
 pub use suggest::{Proposal, Searched, Suggestion};
+pub use witness::{ContactMotion, Motion, Step, Witness};

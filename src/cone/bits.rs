@@ -19,6 +19,66 @@ impl BitRows {
         Self { words: universe.div_ceil(64).max(1), bits: SmallVec::new() }
     }
 
+    /// Words a row.
+    #[inline(always)]
+    pub(super) fn words(&self) -> usize {
+        self.words
+    }
+
+    /// Number of rows.
+    pub(super) fn len(&self) -> usize {
+        self.bits.len() / self.words
+    }
+
+    /// All rows, one after the other.
+    #[inline(always)]
+    pub(super) fn flat(&self) -> &[u64] {
+        &self.bits
+    }
+
+    /// Makes room for more members in every row.
+    pub(super) fn widen(&mut self, universe: usize) {
+        let words = universe.div_ceil(64);
+        if words <= self.words {
+            return;
+        }
+        let mut wide = Self { words, bits: SmallVec::with_capacity(self.len() * words) };
+        for row in self.rows() {
+            wide.push_words(row.iter().copied().chain(std::iter::repeat_n(0, words - self.words)));
+        }
+        *self = wide;
+    }
+
+    /// Overwrites row `index`.
+    pub(super) fn set_row(&mut self, index: usize, words: &[u64]) {
+        self.bits[index * self.words..(index + 1) * self.words].copy_from_slice(words);
+    }
+
+    /// Drops row `index`; the last row takes its place.
+    pub(super) fn swap_remove(&mut self, index: usize) {
+        let last = self.bits.len() - self.words;
+        self.bits.copy_within(last.., index * self.words);
+        self.bits.truncate(last);
+    }
+
+    /// Drops all rows.
+    pub(super) fn clear(&mut self) {
+        self.bits.clear();
+    }
+
+    /// For each of `universe` members the set of the rows that contain it.
+    pub(super) fn transposed(&self, universe: usize) -> Self {
+        let n_rows = self.len();
+        let mut columns = Self::new(n_rows);
+        columns.bits.resize(universe * columns.words, 0);
+        for (index, row) in self.rows().enumerate() {
+            for member in members(row) {
+                columns.insert(member, index);
+            }
+        }
+        columns
+    }
+
     /// Appends the set of the members for which `holds`, and returns its words.
     pub(super) fn push(&mut self, universe: usize, mut holds: impl FnMut(usize) -> bool) {
         let start = self.bits.len();
@@ -71,12 +131,25 @@ pub(super) fn intersect(a: &[u64], b: &[u64]) -> Set {
     a.iter().zip(b).map(|(x, y)| x & y).collect()
 }
 
+#[inline(always)]
 pub(super) fn count(set: &[u64]) -> usize {
     set.iter().map(|word| word.count_ones() as usize).sum()
 }
 
 pub(super) fn is_subset(a: &[u64], b: &[u64]) -> bool {
     a.iter().zip(b).all(|(x, y)| x & !y == 0)
+}
+
+/// Members of the set in increasing order.
+pub(super) fn members(set: &[u64]) -> impl Iterator<Item = usize> {
+    set.iter().enumerate().flat_map(|(index, word)| {
+        let mut rest = *word;
+        std::iter::from_fn(move || {
+            let bit = rest.trailing_zeros() as usize;
+            rest &= rest.wrapping_sub(1);
+            (bit < 64).then_some(64 * index + bit)
+        })
+    })
 }
 
 pub(super) fn has(set: &[u64], member: usize) -> bool {

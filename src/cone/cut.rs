@@ -1,22 +1,29 @@
-//! Generators of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
+//! Both forms of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
+use super::bits::{BitRows, count, is_subset};
 use super::clip::clip;
-use super::describe::describe;
-use super::linear::{cross, dot_sign, is_zero};
+use super::describe::{Simplex, Stop, describe};
+use super::frame::Frame;
+use super::lattice::incidence;
+use super::linear::{Echelon, echelon, is_zero};
 use crate::exact::{Entries, Int, Matrix, Overflow};
-use smallvec::SmallVec;
+use std::cmp::Ordering;
 
-/// Lines and extreme rays, not yet in canonical form.
+/// A cone by its face normals and by its generators: canonical, except that facets and rays are in any order.
 pub(super) struct Cut<T> {
+    pub(super) equalities: Matrix<T>,
+    pub(super) facets: Matrix<T>,
     pub(super) lines: Matrix<T>,
     pub(super) rays: Matrix<T>,
 }
 
 /// Cuts the space by all equalities and normals.
 ///
-/// Lines absorb the first independent normals and leave a simplicial cone of dimension `r` (modulo lines). For `r = 3`
-/// its rays form a cycle that each further normal clips, without any adjacency test; otherwise two rays are adjacent
-/// iff no third lies on all normals that both lie on.
+/// Equalities and lines are taken out first, which leaves a pointed cone of full dimension `r` in coordinates of its own
+/// ([`Frame`]). Normals cut it in lexicographic order of their magnitudes, whatever their
+/// order in the input. The first `r` independent ones
+/// make a simplicial cone. For `r = 3` its rays form a cycle that each further normal clips, without any adjacency test;
+/// otherwise two rays are adjacent iff no third lies on all normals that both lie on.
 ///
 /// # Cost
 /// `r = 3`: O(m k) for m normals and k rays. Otherwise O(m k³) words in the worst case, O(m k²) when few pairs survive
@@ -25,43 +32,108 @@ pub(super) struct Cut<T> {
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
 pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Cut<T>, Overflow> {
-    let mut implied: Option<Matrix<T>> = None;
+    let mut equalities = echelon(equalities)?;
     loop {
-        match attempt(implied.as_ref().unwrap_or(equalities), normals)? {
-            Ok(cut) => return Ok(cut),
-            Err(flat) => implied.get_or_insert_with(|| equalities.clone()).push(normals.row(flat)),
+        let rows = distinct(&equalities, normals)?;
+        match attempt(&equalities, &rows) {
+            Ok((lines, facets, rays)) => {
+                let facets = Matrix::from_rows(rows.columns(), facets.into_iter().map(|row| rows.row(row)));
+                return Ok(Cut { equalities: equalities.rows, facets, lines, rays });
+            }
+            Err(Stop::Overflow) => return Err(Overflow),
+            Err(Stop::Flat(flat)) => {
+                equalities.rows.push(rows.row(flat));
+                equalities = echelon(&equalities.rows)?;
+            }
         }
     }
 }
 
-/// `Err(row)` if the cone turns out to lie in the hyperplane of normal `row`: the caller starts again with an equality.
-fn attempt<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Result<Cut<T>, usize>, Overflow> {
-    let Start { lines, rays, basis } = match three_planes(equalities, normals)? {
-        Some(start) => start,
-        None => absorb_lines(equalities, normals)?,
-    };
-    let others = (0..normals.len()).filter(|row| !basis.contains(row));
-    let rays = if basis.len() == 3 { clip(rays, normals, others)? } else { describe(rays, normals, &basis, others)? };
-    Ok(rays.map(|rays| Cut { lines, rays }))
+/// The normals modulo the equalities in lexicographic order of their magnitudes; zero rows and repetitions are left out.
+fn distinct<T: Int>(equalities: &Echelon<T>, normals: &Matrix<T>) -> Result<Matrix<T>, Overflow> {
+    let mut reduced = normals.clone();
+    equalities.reduce_all(&mut reduced)?;
+    let mut sorted: Vec<&[T]> = reduced.rows().filter(|row| !is_zero(row)).collect();
+    sorted.sort_unstable_by(|a, b| {
+        let mut magnitudes = a.iter().zip(*b).map(|(x, y)| by_magnitude(x, y));
+        magnitudes.find(|order| order.is_ne()).unwrap_or_else(|| a.cmp(b))
+    });
+    sorted.dedup();
+    Ok(Matrix::from_rows(normals.columns(), sorted))
+}
+
+fn by_magnitude<T: Int>(a: &T, b: &T) -> Ordering {
+    match (a.sign().is_lt(), b.sign().is_lt()) {
+        (false, false) => a.cmp(b),
+        (true, true) => b.cmp(a),
+        (true, false) => a.negated().cmp(b),
+        (false, true) => a.cmp(&b.negated()),
+    }
+}
+
+/// Lines, indices of the facets and rays.
+type Parts<T> = (Matrix<T>, Vec<usize>, Matrix<T>);
+
+/// [`Stop::Flat`] if the cone turns out to lie in a hyperplane: the caller starts again with an equality.
+fn attempt<T: Int>(equalities: &Echelon<T>, rows: &Matrix<T>) -> Result<Parts<T>, Stop> {
+    let outer = Frame::without_pivots(equalities);
+    let normals = outer.restricted(rows);
+    let Start { lines, mut rays, basis } = absorb_lines(&normals)?;
+    if lines.is_empty() {
+        let (facets, rays) = pointed(&normals, Simplex { rays, basis })?;
+        return Ok((Matrix::new(rows.columns()), facets, outer.lifted(&rays)?));
+    }
+    let lines = echelon(&lines)?;
+    let inner = Frame::without_pivots(&lines);
+    lines.reduce_all(&mut rays)?;
+    let start = Simplex { rays: inner.restricted(&rays), basis };
+    let (facets, rays) = pointed(&inner.restricted(&normals), start)?;
+    let lines = echelon(&outer.lifted(&lines.rows)?)?;
+    let mut rays = outer.lifted(&inner.padded(&rays))?;
+    lines.reduce_all(&mut rays)?;
+    Ok((lines.rows, facets, rays))
+}
+
+/// Indices of the facets, and the rays, of a pointed cone of full dimension.
+fn pointed<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> {
+    if start.basis.len() == 3 {
+        let others = (0..normals.len()).filter(|row| !start.basis.contains(row));
+        let rays = clip(start.rays, normals, others)?.map_err(Stop::Flat)?;
+        return Ok((facets(&incidence(normals, &rays)?, rays.len()), rays));
+    }
+    let found = describe(start, normals)?;
+    let facets = facets(&found.on.transposed(found.cuts.len()), found.rays.len());
+    Ok((facets.into_iter().map(|cut| found.cuts[cut]).collect(), found.rays))
+}
+
+/// One normal for each facet: those whose ray sets are proper and maximal.
+fn facets(on: &BitRows, n_rays: usize) -> Vec<usize> {
+    let sets: Vec<&[u64]> = on.rows().collect();
+    let mut facets: Vec<usize> = Vec::new();
+    for (row, set) in sets.iter().enumerate() {
+        if count(set) == n_rays || facets.iter().any(|kept| is_subset(set, sets[*kept])) {
+            continue;
+        }
+        facets.retain(|kept| !is_subset(sets[*kept], set));
+        facets.push(row);
+    }
+    facets
 }
 
 /// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
 struct Start<T> {
     lines: Matrix<T>,
     rays: Matrix<T>,
-    basis: SmallVec<[usize; 8]>,
+    basis: Vec<usize>,
 }
 
 /// Starts from the whole space; each normal not constant on the lines left turns one line into a ray.
-fn absorb_lines<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
+fn absorb_lines<T: Int>(normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
     let dim = normals.columns();
     let mut lines = Matrix::identity(dim);
     let mut scratch = Entries::new();
-    for equality in equalities.rows() {
-        absorb(&mut lines, equality, &mut scratch)?;
-    }
-    let mut rays = Matrix::with_capacity(dim, lines.len());
-    let mut basis = SmallVec::new();
+    let mut rays = Matrix::with_capacity(dim, dim);
+    let mut basis = Vec::with_capacity(dim);
     for (row, normal) in normals.rows().enumerate() {
         if lines.is_empty() {
             break;
@@ -73,41 +145,6 @@ fn absorb_lines<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<S
         }
     }
     Ok(Start { lines, rays, basis })
-}
-
-/// The same start for three dimensions without equalities: the rays of three independent planes are cross products.
-fn three_planes<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Option<Start<T>>, Overflow> {
-    if normals.columns() != 3 || !equalities.is_empty() || normals.len() < 3 {
-        return Ok(None);
-    }
-    let first = normals.row(0);
-    let mut edge = Entries::new();
-    let Some(second) = (1..normals.len()).find_map(|row| match cross(first, normals.row(row), &mut edge) {
-        Ok(()) if is_zero(&edge) => None,
-        outcome => Some(outcome.map(|()| row)),
-    }) else {
-        return Ok(None);
-    };
-    let second = second?;
-    for third in second + 1..normals.len() {
-        let side = dot_sign(normals.row(third), &edge)?;
-        if side.is_eq() {
-            continue;
-        }
-        let mut rays = Matrix::with_capacity(3, 4);
-        for (a, b) in [(second, third), (third, 0)] {
-            let mut ray = Entries::new();
-            cross(normals.row(a), normals.row(b), &mut ray)?;
-            rays.push(&ray);
-        }
-        rays.push(&edge);
-        // the determinant of the three normals has the sign of `side`
-        if side.is_gt() {
-            (0..3).for_each(|ray| rays.row_mut(ray).iter_mut().for_each(|value| *value = value.negated()));
-        }
-        return Ok(Some(Start { lines: Matrix::new(3), rays, basis: SmallVec::from_slice(&[0, second, third]) }));
-    }
-    Ok(None)
 }
 
 /// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the

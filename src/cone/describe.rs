@@ -1,64 +1,148 @@
 //! The double description method in any dimension.
 
-use super::bits::{BitRows, count, is_subset};
+use super::adjacent::adjacent_pairs;
+use super::bits::BitRows;
 use super::linear::crossing;
 use crate::exact::{Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
-/// The double description method in any dimension, from the simplicial cone of the rows `basis`.
-pub(super) fn describe<T: Int>(
-    rays: Matrix<T>,
-    normals: &Matrix<T>,
-    basis: &[usize],
-    rows: impl Iterator<Item = usize>,
-) -> Result<Result<Matrix<T>, usize>, Overflow> {
-    let common_needed = basis.len().saturating_sub(2);
-    let mut rays = rays;
-    let mut on = BitRows::new(normals.len());
-    for own in 0..basis.len() {
-        on.push(normals.len(), |row| basis.contains(&row) && basis[own] != row);
-    }
-    for row in rows {
-        let normal = normals.row(row);
-        let products = rays.rows().map(|ray| T::dot(normal, ray)).collect::<Result<Vec<_>, _>>()?;
-        let products = &products;
-        let with_sign = |sign: Ordering| (0..products.len()).filter(move |r| T::wide_sign(&products[*r]) == sign);
-        if with_sign(Ordering::Greater).next().is_none() {
-            with_sign(Ordering::Equal).for_each(|ray| on.insert(ray, row));
-            continue;
-        }
-        if with_sign(Ordering::Less).next().is_none() {
-            return Ok(Err(row));
-        }
-        let mut next_rays = Matrix::new(normal.len());
-        let mut next_on = BitRows::new(normals.len());
-        for ray in (0..products.len()).filter(|ray| T::wide_sign(&products[*ray]).is_le()) {
-            next_rays.push(rays.row(ray));
-            next_on.push_words(on.row(ray).iter().copied());
-            if T::wide_sign(&products[ray]).is_eq() {
-                next_on.insert(next_rays.len() - 1, row);
-            }
-        }
-        let outside: Vec<usize> = with_sign(Ordering::Greater).collect();
-        let mut common = vec![0_u64; on.row(0).len()];
-        for inside in with_sign(Ordering::Less) {
-            for outside in outside.iter().copied() {
-                for (word, (a, b)) in common.iter_mut().zip(on.row(inside).iter().zip(on.row(outside))) {
-                    *word = a & b;
-                }
-                if count(&common) < common_needed || !are_adjacent(&on, inside, outside, &common) {
-                    continue;
-                }
-                crossing(&rays, inside, &products[inside], outside, &products[outside], &mut next_rays)?;
-                next_on.push_words(common.iter().copied());
-                next_on.insert(next_rays.len() - 1, row);
-            }
-        }
-        (rays, on) = (next_rays, next_on);
-    }
-    Ok(Ok(rays))
+/// A simplicial cone cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
+pub(super) struct Simplex<T> {
+    pub(super) rays: Matrix<T>,
+    pub(super) basis: Vec<usize>,
 }
 
-fn are_adjacent(on: &BitRows, a: usize, b: usize, common: &[u64]) -> bool {
-    !on.rows().enumerate().any(|(ray, set)| ray != a && ray != b && is_subset(common, set))
+/// Extreme rays of a cone, and which of the normals that cut it they lie on.
+pub(super) struct Description<T> {
+    pub(super) rays: Matrix<T>,
+    /// The normals that cut something off when it was their turn, all facets among them.
+    pub(super) cuts: Vec<usize>,
+    /// For each ray the members of `cuts`, by their places in it, that it lies on.
+    pub(super) on: BitRows,
+}
+
+/// Why a cone of full dimension was not described.
+pub(super) enum Stop {
+    /// It lies in the hyperplane of this normal.
+    Flat(usize),
+    /// A primitive row does not fit the integers in use.
+    Overflow,
+}
+
+impl From<Overflow> for Stop {
+    fn from(_: Overflow) -> Self {
+        Self::Overflow
+    }
+}
+
+/// Cuts a simplicial cone by the other normals in their order, none of them zero.
+///
+/// # Errors
+/// [`Stop`], for either reason.
+pub(super) fn describe<T: Int>(start: Simplex<T>, normals: &Matrix<T>) -> Result<Description<T>, Stop> {
+    let Simplex { mut rays, basis } = start;
+    let needed = basis.len().saturating_sub(2);
+    let mut on = BitRows::new(basis.len());
+    for own in 0..basis.len() {
+        on.push(basis.len(), |cut| cut != own);
+    }
+    let mut cuts = basis;
+    let is_basis = marked(normals.len(), &cuts);
+    let mut step = Step::new(normals.columns());
+    for row in (0..normals.len()).filter(|row| !is_basis[*row]) {
+        step.sort(normals.row(row), &rays)?;
+        if step.outside.is_empty() {
+            continue;
+        }
+        if step.inside.is_empty() {
+            return Err(Stop::Flat(row));
+        }
+        let cut = cuts.len();
+        cuts.push(row);
+        on.widen(cuts.len());
+        step.level.iter().for_each(|ray| on.insert(*ray, cut));
+        step.cross(&rays, &on, cut, needed)?;
+        step.replace(&mut rays, &mut on);
+    }
+    Ok(Description { rays, cuts, on })
+}
+
+fn marked(universe: usize, members: &[usize]) -> Vec<bool> {
+    let mut is_marked = vec![false; universe];
+    members.iter().for_each(|member| is_marked[*member] = true);
+    is_marked
+}
+
+/// What one cut needs, kept for the next.
+struct Step<T: Int> {
+    products: Vec<T::Wide>,
+    inside: Vec<usize>,
+    level: Vec<usize>,
+    outside: Vec<usize>,
+    pairs: Vec<(usize, usize)>,
+    fresh: Matrix<T>,
+    fresh_on: BitRows,
+}
+
+impl<T: Int> Step<T> {
+    fn new(columns: usize) -> Self {
+        Self {
+            products: Vec::new(),
+            inside: Vec::new(),
+            level: Vec::new(),
+            outside: Vec::new(),
+            pairs: Vec::new(),
+            fresh: Matrix::new(columns),
+            fresh_on: BitRows::new(0),
+        }
+    }
+
+    fn sort(&mut self, normal: &[T], rays: &Matrix<T>) -> Result<(), Overflow> {
+        self.products.clear();
+        [&mut self.inside, &mut self.level, &mut self.outside].into_iter().for_each(Vec::clear);
+        for (index, ray) in rays.rows().enumerate() {
+            let product = T::dot(normal, ray)?;
+            match T::wide_sign(&product) {
+                Ordering::Less => self.inside.push(index),
+                Ordering::Equal => self.level.push(index),
+                Ordering::Greater => self.outside.push(index),
+            }
+            self.products.push(product);
+        }
+        Ok(())
+    }
+
+    /// The rays where edges from inside to outside pierce the hyperplane of the normal `cut`.
+    fn cross(&mut self, rays: &Matrix<T>, on: &BitRows, cut: usize, needed: usize) -> Result<(), Overflow> {
+        self.pairs.clear();
+        adjacent_pairs(on, &self.inside, &self.outside, needed, &mut self.pairs);
+        self.fresh.clear();
+        self.fresh_on.clear();
+        self.fresh_on.widen(on.words() * 64);
+        for (inside, outside) in self.pairs.iter().copied() {
+            let (depth, height) = (&self.products[inside], &self.products[outside]);
+            crossing(rays, inside, depth, outside, height, &mut self.fresh)?;
+            self.fresh_on.push_words(on.row(inside).iter().zip(on.row(outside)).map(|(a, b)| a & b));
+            self.fresh_on.insert(self.fresh.len() - 1, cut);
+        }
+        Ok(())
+    }
+
+    /// Puts the new rays in the places of those outside.
+    fn replace(&mut self, rays: &mut Matrix<T>, on: &mut BitRows) {
+        let n_fresh = self.fresh.len();
+        let n_reused = n_fresh.min(self.outside.len());
+        for (new, old) in self.outside[..n_reused].iter().copied().enumerate() {
+            rays.row_mut(old).swap_with_slice(self.fresh.row_mut(new));
+            on.set_row(old, self.fresh_on.row(new));
+        }
+        for new in n_reused..n_fresh {
+            rays.push(self.fresh.row(new));
+            on.push_words(self.fresh_on.row(new).iter().copied());
+        }
+        for old in self.outside[n_reused..].iter().rev().copied() {
+            rays.swap_remove(old);
+            on.swap_remove(old);
+        }
+    }
 }

@@ -49,6 +49,11 @@ impl<T: Int> Echelon<T> {
         T::make_primitive(row);
         Ok(())
     }
+
+    /// [`Echelon::reduce`] for each of `rows`.
+    pub(super) fn reduce_all(&self, rows: &mut Matrix<T>) -> Result<(), Overflow> {
+        (0..rows.len()).try_for_each(|row| self.reduce(rows.row_mut(row)))
+    }
 }
 
 /// `row` with `column` cleared by a positive multiple of itself plus a multiple of `pivot_row` (positive pivot).
@@ -60,13 +65,6 @@ fn eliminated<T: Int>(row: &[T], pivot_row: &[T], column: usize) -> Result<Entri
 
 pub(super) fn is_zero<T: Int>(row: &[T]) -> bool {
     row.iter().all(|value| value.sign() == Ordering::Equal)
-}
-
-/// Replaces `out` by the primitive form of `a × b` in three dimensions.
-pub(super) fn cross<T: Int>(a: &[T], b: &[T], out: &mut Entries<T>) -> Result<(), Overflow> {
-    let minor = |i: usize, j: usize| T::dot(&[a[i].clone(), a[j].negated()], &[b[j].clone(), b[i].clone()]);
-    out.clear();
-    T::primitive(&[minor(1, 2)?, minor(2, 0)?, minor(0, 1)?], out)
 }
 
 pub(super) fn dot_sign<T: Int>(a: &[T], b: &[T]) -> Result<Ordering, Overflow> {

@@ -8,21 +8,26 @@
 
 pub mod format;
 
+mod adjacent;
 mod bits;
 mod clip;
+mod combination;
 mod convert;
 mod cut;
 mod describe;
 mod difference;
 mod faces;
+mod frame;
 mod lattice;
 mod linear;
 mod nearest;
 mod nnc;
 mod pair;
 mod polyhedron;
+mod simplex;
 mod volume;
 
+pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};
 pub use difference::{Outside, Split, complement, split, subtract};
 pub use nearest::nearest;

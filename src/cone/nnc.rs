@@ -27,7 +27,7 @@ impl<T: Int> HalfSpaces<T> {
     }
 
     /// All normals, strict or not: those of the closure, if anything satisfies the system.
-    fn normals(&self) -> Matrix<T> {
+    pub(super) fn normals(&self) -> Matrix<T> {
         let mut normals = Matrix::with_capacity(self.closed.columns(), self.closed.len() + self.strict.len());
         normals.append(&self.closed);
         normals.append(&self.strict);

@@ -1,9 +1,9 @@
 //! Closed cones in both forms, minimal and canonical.
 
-use super::bits::{BitRows, count, has, is_subset};
+use super::bits::has;
 use super::cut::cut_space;
 use super::lattice::{all_faces, incidence};
-use super::linear::{Echelon, dot_sign, echelon, is_zero};
+use super::linear::dot_sign;
 use crate::exact::{Int, Matrix, Overflow};
 
 /// A closed polyhedral cone by its face normals and by its generators, both minimal and canonical.
@@ -35,18 +35,8 @@ impl<T: Int> Pair<T> {
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub fn from_normals(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Self, Overflow> {
         let cut = cut_space(equalities, normals)?;
-        let lines = echelon(&cut.lines)?;
-        let rays = canonical_rows(&lines, cut.rays.rows())?;
-        let on = incidence(normals, &rays)?;
-        let mut span_complement = equalities.clone();
-        let is_implied = |row: usize| count(on.row(row)) == rays.len();
-        for row in (0..normals.len()).filter(|row| is_implied(*row) && !is_zero(normals.row(*row))) {
-            span_complement.push(normals.row(row));
-        }
-        let equalities = echelon(&span_complement)?;
-        let facets = facet_rows(&on, rays.len());
-        let facets = canonical_rows(&equalities, facets.into_iter().map(|row| normals.row(row)))?;
-        Ok(Self { equalities: equalities.rows, facets, lines: lines.rows, rays })
+        let (facets, rays) = (sorted(cut.facets), sorted(cut.rays));
+        Ok(Self { equalities: cut.equalities, facets, lines: cut.lines, rays })
     }
 
     /// The cone that `generators` span.
@@ -141,32 +131,11 @@ impl<T: Int> Pair<T> {
     }
 }
 
-/// One normal for each facet: those whose ray sets are proper and maximal.
-fn facet_rows(on: &BitRows, n_rays: usize) -> Vec<usize> {
-    let sets: Vec<&[u64]> = on.rows().collect();
-    let mut facets: Vec<usize> = Vec::new();
-    for (row, set) in sets.iter().enumerate() {
-        if count(set) == n_rays || facets.iter().any(|kept| is_subset(set, sets[*kept])) {
-            continue;
-        }
-        facets.retain(|kept| !is_subset(sets[*kept], set));
-        facets.push(row);
+fn sorted<T: Int>(matrix: Matrix<T>) -> Matrix<T> {
+    if matrix.rows().is_sorted() {
+        return matrix;
     }
-    facets
-}
-
-fn canonical_rows<'a, T: Int>(modulo: &Echelon<T>, rows: impl Iterator<Item = &'a [T]>) -> Result<Matrix<T>, Overflow> {
-    let columns = modulo.rows.columns();
-    let mut reduced = Matrix::with_capacity(columns, rows.size_hint().0);
-    for row in rows {
-        reduced.push(row);
-        let last = reduced.len() - 1;
-        modulo.reduce(reduced.row_mut(last))?;
-    }
-    if reduced.rows().is_sorted() {
-        return Ok(reduced);
-    }
-    let mut sorted: Vec<&[T]> = reduced.rows().collect();
-    sorted.sort_unstable();
-    Ok(Matrix::from_rows(columns, sorted))
+    let mut rows: Vec<&[T]> = matrix.rows().collect();
+    rows.sort_unstable();
+    Matrix::from_rows(matrix.columns(), rows)
 }

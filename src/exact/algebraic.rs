@@ -213,7 +213,11 @@ impl Algebraic {
             (_, Form::Rational(value)) => self.order(value),
             (Form::Root(a), Form::Root(b)) if a.ends()[1] <= b.ends()[0] => Ordering::Less,
             (Form::Root(a), Form::Root(b)) if b.ends()[1] <= a.ends()[0] => Ordering::Greater,
-            (Form::Root(a), Form::Root(b)) if bits == WORTH_A_DIVISOR && are_one(a, b) => Ordering::Equal,
+            (Form::Root(a), Form::Root(b))
+                if (bits == WORTH_A_DIVISOR || a.polynomial() == b.polynomial()) && are_one(a, b) =>
+            {
+                Ordering::Equal
+            }
             _ => self.halved(bits).order_after(&other.halved(bits), 2 * bits),
         }
     }

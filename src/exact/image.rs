@@ -51,10 +51,7 @@ impl Algebraic {
         if enclosure[0] == enclosure[1] {
             return Some(enclosure[0].clone().into());
         }
-        let own = self.polynomial();
-        // zeros of the denominator among the other roots are none of ours
-        let own = own.exact_quotient(&own.gcd(denominator)).expect("a common factor divides");
-        let equation = equation_of_image(&own, numerator, denominator);
+        let equation = equation_of_image(&self.polynomial(), numerator, denominator);
         // other roots are at a distance
         loop {
             let [low, high] = enclosure;
@@ -80,11 +77,11 @@ fn quotient(dividend: &[Q; 2], divisor: &[Q; 2]) -> Option<[Q; 2]> {
     Some([least, greatest])
 }
 
-/// The square-free polynomial that is zero exactly at the images of the roots of `own`, real and complex.
+/// The square-free polynomial that is zero exactly where `a / b` takes the roots of `own`, real and complex, poles left out.
 ///
-/// It is the first linear dependence of `a^k b^(n-k)` modulo `own`, `k = 0, 1, …`, for the function `a / b` and degree
-/// `n`: the minimal polynomial of `a / b` in `Q[x] / own`. That ring is a product of fields if `own` is square-free, so
-/// the polynomial is square-free too, and of degree at most `n`.
+/// It is the first linear dependence of `a^k b^(n-k)` modulo `own`, `k = 0, 1, …`, for `own` of degree `n`. As `own` is
+/// square-free, a dependence is one of the values at its roots. Where `b` is not zero it is a polynomial that vanishes at
+/// `a / b`; at a pole all values but the last are zero, and then the last is not needed.
 fn equation_of_image(own: &Polynomial, a: &Polynomial, b: &Polynomial) -> Polynomial {
     let n = own.degree().unwrap_or_default();
     let length = 1 + n.max(n * a.degree().max(b.degree()).unwrap_or_default());

@@ -2,12 +2,12 @@
 //!
 //! A computation is written once for [`Int`] and run by [`climb`]: whatever does not fit its rung is an [`Overflow`], and
 //! the computation starts again one rung higher. Nothing wraps. On the machine rungs a row is stored in the rung's
-//! type and combined in 128 bits or more, so a rung overflows when a primitive result does not fit it or a dot product
-//! does not fit 127 bits, hardly ever because of an intermediate.
+//! type and combined in twice as many bits or more, so a rung overflows when a primitive result does not fit it, hardly
+//! ever because of an intermediate.
 
+use super::gcd::gcd64;
 use super::{Entries, Z};
-use num_integer::Integer as _;
-use num_traits::{One as _, Signed as _, Zero as _};
+use smallvec::SmallVec;
 use std::cmp::Ordering;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -100,48 +100,33 @@ pub trait Int: Clone + Ord + Hash + Debug + Default + Send + Sync + 'static {
     fn make_primitive(row: &mut [Self]);
 }
 
-/// What the machine rungs share.
-macro_rules! machine_entries {
-    () => {
-        type Wide = i128;
-
-        fn from_z(value: &Z) -> Option<Self> {
-            Self::try_from(value).ok().filter(|v| *v != Self::MIN)
-        }
-        fn to_z(&self) -> Z {
-            Z::from(*self)
-        }
-        fn unit() -> Self {
-            1
-        }
-        fn sign(&self) -> Ordering {
-            self.cmp(&0)
-        }
-        fn negated(&self) -> Self {
-            -self
-        }
-        fn widen(&self) -> i128 {
-            i128::from(*self)
-        }
-        fn wide_sign(value: &i128) -> Ordering {
-            value.cmp(&0)
-        }
-        fn wide_negated(value: &i128) -> i128 {
-            -value
-        }
-
-        fn make_primitive(row: &mut [Self]) {
-            let divisor = row.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs().into()));
-            if divisor > 1 {
-                let divisor = Self::try_from(divisor).expect("a divisor of entries above the least one fits");
-                row.iter_mut().for_each(|v| *v /= divisor);
-            }
-        }
-    };
-}
-
 impl Int for i64 {
-    machine_entries!();
+    type Wide = i128;
+
+    fn from_z(value: &Z) -> Option<Self> {
+        Self::try_from(value).ok().filter(|v| *v != Self::MIN)
+    }
+    fn to_z(&self) -> Z {
+        Z::from(*self)
+    }
+    fn unit() -> Self {
+        1
+    }
+    fn sign(&self) -> Ordering {
+        self.cmp(&0)
+    }
+    fn negated(&self) -> Self {
+        -self
+    }
+    fn widen(&self) -> i128 {
+        i128::from(*self)
+    }
+    fn wide_sign(value: &i128) -> Ordering {
+        value.cmp(&0)
+    }
+    fn wide_negated(value: &i128) -> i128 {
+        -value
+    }
 
     fn dot(a: &[Self], b: &[Self]) -> Result<i128, Overflow> {
         debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
@@ -153,195 +138,62 @@ impl Int for i64 {
     }
 
     fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow> {
-        match (i64::try_from(*p), i64::try_from(*q)) {
+        let start = out.len();
+        if let (Ok(p), Ok(q)) = (i64::try_from(*p), i64::try_from(*q)) {
+            let mut is_over = false;
+            out.extend(a.iter().zip(b).map(|(x, y)| {
+                let ((left, first), (right, second)) = (p.overflowing_mul(*x), q.overflowing_mul(*y));
+                let (sum, third) = left.overflowing_add(right);
+                is_over |= first || second || third || sum == i64::MIN;
+                sum
+            }));
+            if !is_over {
+                Self::make_primitive(&mut out[start..]);
+                return Ok(());
+            }
+            out.truncate(start);
             // |p|, |q| ≤ 2^63 and entries below 2^63: sums stay below 2^127
-            (Ok(p), Ok(q)) => {
-                let entry = |x: i64, y: i64| Some(i128::from(p) * i128::from(x) + i128::from(q) * i128::from(y));
-                narrowed(a, b, entry, out)
-            }
-            _ => {
-                let (p, q) = coprime(*p, *q);
-                narrowed(a, b, |x, y| wide_combination(p, x.into(), q, y.into()), out)
-            }
+            let entry = |(x, y): (&i64, &i64)| i128::from(p) * i128::from(*x) + i128::from(q) * i128::from(*y);
+            let wide: SmallVec<[i128; 16]> = a.iter().zip(b).map(entry).collect();
+            return Self::primitive(&wide, out);
         }
-    }
-
-    fn primitive(wide: &[i128], out: &mut Entries<Self>) -> Result<(), Overflow> {
-        let divisor = wide.iter().fold(0_u128, |g, v| gcd(g, v.unsigned_abs())).max(1);
-        for value in wide {
-            out.push(narrow(*value, divisor).ok_or(Overflow)?);
+        let wide = |row: &[i64]| row.iter().map(|value| i128::from(*value)).collect::<Entries<i128>>();
+        let mut sum = Entries::new();
+        i128::combine(&(*p).into(), &wide(a), &(*q).into(), &wide(b), &mut sum)?;
+        for value in sum {
+            out.push(i64::try_from(value).ok().filter(|v| *v != i64::MIN).ok_or(Overflow)?);
         }
-        Ok(())
-    }
-}
-
-impl Int for i128 {
-    machine_entries!();
-
-    fn dot(a: &[Self], b: &[Self]) -> Result<i128, Overflow> {
-        debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
-        let mut sum = 0_i128;
-        for (x, y) in a.iter().zip(b) {
-            sum = x.checked_mul(*y).and_then(|product| sum.checked_add(product)).ok_or(Overflow)?;
-        }
-        if sum == i128::MIN { Err(Overflow) } else { Ok(sum) }
-    }
-
-    fn combine(p: &i128, a: &[Self], q: &i128, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow> {
-        let (p, q) = coprime(*p, *q);
-        let start = out.len();
-        for (x, y) in a.iter().zip(b) {
-            match wide_combination(p, *x, q, *y) {
-                Some(value) => out.push(value),
-                None => {
-                    out.truncate(start);
-                    return combine_through_big(p, a, q, b, out);
-                }
-            }
-        }
-        Self::make_primitive(&mut out[start..]);
         Ok(())
     }
 
     fn primitive(wide: &[i128], out: &mut Entries<Self>) -> Result<(), Overflow> {
-        let start = out.len();
-        out.extend_from_slice(wide);
-        Self::make_primitive(&mut out[start..]);
-        Ok(())
-    }
-}
-
-impl Int for Z {
-    type Wide = Z;
-
-    fn from_z(value: &Z) -> Option<Self> {
-        Some(value.clone())
-    }
-    fn to_z(&self) -> Z {
-        self.clone()
-    }
-    fn unit() -> Self {
-        Z::one()
-    }
-    fn sign(&self) -> Ordering {
-        Self::wide_sign(self)
-    }
-    fn negated(&self) -> Self {
-        -self
-    }
-    fn widen(&self) -> Z {
-        self.clone()
-    }
-    fn wide_sign(value: &Z) -> Ordering {
-        value.sign().cmp(&num_bigint::Sign::NoSign)
-    }
-    fn wide_negated(value: &Z) -> Z {
-        -value
-    }
-
-    fn dot(a: &[Self], b: &[Self]) -> Result<Z, Overflow> {
-        debug_assert_eq!(a.len(), b.len(), "rows of equal length have a dot product");
-        Ok(a.iter().zip(b).map(|(x, y)| x * y).sum())
-    }
-
-    fn combine(p: &Z, a: &[Self], q: &Z, b: &[Self], out: &mut Entries<Self>) -> Result<(), Overflow> {
-        let start = out.len();
-        out.extend(a.iter().zip(b).map(|(x, y)| p * x + q * y));
-        Self::make_primitive(&mut out[start..]);
-        Ok(())
-    }
-
-    fn primitive(wide: &[Z], out: &mut Entries<Self>) -> Result<(), Overflow> {
-        let start = out.len();
-        out.extend(wide.iter().cloned());
-        Self::make_primitive(&mut out[start..]);
+        let mut row: SmallVec<[i128; 16]> = SmallVec::from_slice(wide);
+        i128::make_primitive(&mut row);
+        for value in row {
+            out.push(i64::try_from(value).ok().filter(|v| *v != i64::MIN).ok_or(Overflow)?);
+        }
         Ok(())
     }
 
     fn make_primitive(row: &mut [Self]) {
         // from the smallest entry, so that all others are reduced by a remainder before the costly divisor
-        let nonzero = row.iter().filter(|value| !value.is_zero());
-        let Some(mut divisor) = nonzero.min_by_key(|value| value.magnitude()).map(|value| value.abs()) else { return };
+        let smallest = row.iter().map(|value| value.unsigned_abs().wrapping_sub(1)).min();
+        let Some(mut divisor) = smallest.map(|least| least.wrapping_add(1)) else { return };
+        if divisor == 0 || divisor == 1 {
+            return;
+        }
         for value in row.iter() {
-            if divisor.is_one() {
-                return;
+            let rest = value.unsigned_abs() % divisor;
+            if rest != 0 {
+                divisor = gcd64(divisor, rest);
+                if divisor == 1 {
+                    return;
+                }
             }
-            let remainder = value % &divisor;
-            if !remainder.is_zero() {
-                divisor = divisor.gcd(&remainder);
-            }
         }
-        if !divisor.is_one() {
-            row.iter_mut().for_each(|value| *value /= &divisor);
-        }
+        let divisor = divisor.cast_signed();
+        row.iter_mut().for_each(|value| *value /= divisor);
     }
-}
-
-/// The i128 rung's way out when a product needs more than 128 bits but the primitive row may not.
-fn combine_through_big(p: i128, a: &[i128], q: i128, b: &[i128], out: &mut Entries<i128>) -> Result<(), Overflow> {
-    let mut row: Vec<Z> = a.iter().zip(b).map(|(x, y)| Z::from(p) * Z::from(*x) + Z::from(q) * Z::from(*y)).collect();
-    Z::make_primitive(&mut row);
-    for value in &row {
-        out.push(i128::from_z(value).ok_or(Overflow)?);
-    }
-    Ok(())
-}
-
-fn coprime(p: i128, q: i128) -> (i128, i128) {
-    match gcd(p.unsigned_abs(), q.unsigned_abs()) {
-        0 | 1 => (p, q),
-        divisor => match i128::try_from(divisor) {
-            Ok(divisor) => (p / divisor, q / divisor),
-            Err(_) => (p, q),
-        },
-    }
-}
-
-fn wide_combination(p: i128, x: i128, q: i128, y: i128) -> Option<i128> {
-    p.checked_mul(x)?.checked_add(q.checked_mul(y)?).filter(|v| *v != i128::MIN)
-}
-
-/// Appends the entries made primitive; computing them twice is cheaper than keeping them.
-fn narrowed(
-    a: &[i64],
-    b: &[i64],
-    entry: impl Fn(i64, i64) -> Option<i128>,
-    out: &mut Entries<i64>,
-) -> Result<(), Overflow> {
-    let mut divisor = 0_u128;
-    for (x, y) in a.iter().zip(b) {
-        divisor = gcd(divisor, entry(*x, *y).ok_or(Overflow)?.unsigned_abs());
-        if divisor == 1 {
-            break;
-        }
-    }
-    let divisor = divisor.max(1);
-    for (x, y) in a.iter().zip(b) {
-        out.push(narrow(entry(*x, *y).ok_or(Overflow)?, divisor).ok_or(Overflow)?);
-    }
-    Ok(())
-}
-
-fn narrow(value: i128, divisor: u128) -> Option<i64> {
-    let value = match (i64::try_from(value), i64::try_from(divisor)) {
-        (Ok(value), Ok(divisor)) => value / divisor,
-        _ => i64::try_from(value / i128::try_from(divisor).ok()?).ok()?,
-    };
-    Some(value).filter(|v| *v != i64::MIN)
-}
-
-fn gcd(a: u128, b: u128) -> u128 {
-    let (mut a, mut b) = (a, b);
-    if a == 1 || b == 1 {
-        return 1;
-    }
-    while b != 0 {
-        if let (Ok(a), Ok(b)) = (u64::try_from(a), u64::try_from(b)) {
-            return a.gcd(&b).into();
-        }
-        (a, b) = (b, a % b);
-    }
-    a
 }
 
 #[cfg(test)]
@@ -381,10 +233,10 @@ mod tests {
     fn a_product_beyond_128_bits_is_kept_when_the_primitive_row_fits() {
         let big = i128::MAX / 3;
         let mut out = Entries::new();
-        i128::combine(&big, &[big, 0], &1, &[0, 0], &mut out).unwrap();
+        i128::combine(&big.into(), &[big, 0], &1.into(), &[0, 0], &mut out).unwrap();
         assert_eq!(out.as_slice(), [1, 0]);
         let mut out = Entries::new();
-        assert_eq!(i128::combine(&5, &[big, 1], &6, &[big, 0], &mut out), Err(Overflow));
+        assert_eq!(i128::combine(&5.into(), &[big, 1], &6.into(), &[big, 0], &mut out), Err(Overflow));
     }
 
     #[test]
@@ -393,7 +245,7 @@ mod tests {
         assert_eq!(<i128 as Int>::from_z(&Z::from(i128::MIN)), None);
         let mut out = Entries::new();
         assert_eq!(i64::combine(&1, &[i64::MIN + 1, 1], &1, &[-1, 0], &mut out), Err(Overflow));
-        assert_eq!(i128::dot(&[i128::MAX], &[2]), Err(Overflow));
+        assert_eq!(i128::dot(&[i128::MAX; 3], &[i128::MAX; 3]), Err(Overflow));
         assert_eq!(i64::dot(&[i64::MAX; 3], &[i64::MAX; 3]), Err(Overflow));
     }
 }

@@ -89,6 +89,20 @@ impl<T: Int> Matrix<T> {
         self.n_rows += 1;
     }
 
+    /// Appends the row of the entries that `row` yields.
+    ///
+    /// # Panics
+    /// If it yields another number of entries than [`Matrix::columns`].
+    pub fn push_from(&mut self, row: impl Iterator<Item = T>) {
+        self.entries.extend(row);
+        self.n_rows += 1;
+        assert_eq!(
+            self.entries.len(),
+            self.n_rows * self.columns,
+            "a row must have as many entries as the matrix has columns"
+        );
+    }
+
     /// Appends the negative of a row.
     ///
     /// # Panics

@@ -3,15 +3,20 @@
 //! Nothing outside of this folder names `num_bigint`.
 
 mod algebraic;
+mod big;
 mod bracket;
+mod double;
 mod filter;
 mod float_interval;
+mod gcd;
 mod image;
 mod int;
 mod isolate;
+mod limbs;
 mod literal;
 mod matrix;
 mod polynomial;
+mod quad;
 mod rational;
 
 pub use algebraic::Algebraic;

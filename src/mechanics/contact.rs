@@ -1,7 +1,8 @@
 //! Contact frames as primitive integer rows in wrench space.
 
+use super::frame::Frame;
+use super::mode::Interaction;
 use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
-use crate::geometry::{cross, difference};
 use crate::model::{Fixture, Part};
 
 /// One contact: its acceleration rows and force rays, each up to a positive factor.
@@ -37,25 +38,18 @@ impl Contact {
     #[must_use]
     pub fn of(part: &Part, fixture: &Fixture) -> Vec<Self> {
         let rho2 = part.gyration2();
-        fixture
-            .fixels
+        Frame::of(part, fixture)
             .iter()
-            .map(|fixel| {
-                let arm = difference(&part.center_of_mass, &fixel.point);
-                let normal = wrench(&arm, &fixel.normal);
-                let tangent = wrench(&arm, &[-&fixel.normal[1], fixel.normal[0].clone()]);
-                let force = |share: &Q| {
-                    let sum: Vec<Q> = normal.iter().zip(&tangent).map(|(n, t)| -(n + t * share)).collect();
-                    primitive_row(&sum)
-                };
-                let friction = &fixel.friction;
+            .map(|frame| {
+                let edges = |slopes: [Q; 2]| slopes.map(|slope| primitive_row(&frame.balanced(&slope)));
+                let forces = |interaction| edges(frame.slopes(interaction).expect("these interactions transmit force"));
                 Self {
-                    normal_acceleration: acceleration_row(&normal, &rho2),
-                    tangent_acceleration: acceleration_row(&tangent, &rho2),
-                    static_forces: [force(&-&friction.static_.max), force(&friction.static_.max)],
-                    sure_forces: [force(&-&friction.static_.min), force(&friction.static_.min)],
-                    left_forces: [force(&-&friction.kinetic.min), force(&-&friction.kinetic.max)],
-                    right_forces: [force(&friction.kinetic.min), force(&friction.kinetic.max)],
+                    normal_acceleration: acceleration_row(&frame.normal, &rho2),
+                    tangent_acceleration: acceleration_row(&frame.tangent, &rho2),
+                    static_forces: forces(Interaction::Roll),
+                    sure_forces: edges(frame.sure_slopes()),
+                    left_forces: forces(Interaction::SlideLeft),
+                    right_forces: forces(Interaction::SlideRight),
                 }
             })
             .collect()
@@ -75,11 +69,6 @@ impl Contact {
             right_forces: both(&self.right_forces)?,
         })
     }
-}
-
-/// Wrench of the force `direction` at `arm` from the center of mass: a column of J.
-pub(super) fn wrench(arm: &[Q; 2], direction: &[Q; 2]) -> [Q; 3] {
-    [direction[0].clone(), direction[1].clone(), cross(arm, direction)]
 }
 
 fn acceleration_row(wrench: &[Q; 3], rho2: &Q) -> Vec<Z> {

@@ -1,18 +1,17 @@
 //! Cones of static friction as functions of a factor on their coefficients.
 
-use super::contact::wrench;
+use super::frame::Frame;
 use crate::exact::{Int as _, Q, Z, primitive_row};
-use crate::geometry::difference;
-use crate::model::{Fixel, Fixture, Part};
+use crate::model::{Fixture, Part};
 use num_traits::{One as _, Zero as _};
 
 /// The edges of a contact's cone of static friction while its coefficient grows: `base + k slope` for the factor `k` on the
-/// coefficient, in the order and with the sign of [`ContactRows::static_forces`].
+/// coefficient, in the order and with the sign of [`ContactRows::static_forces`](super::ContactRows::static_forces).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrictionEdges {
     /// `-J n`, each on a common factor with its slope.
     pub base: [Vec<Z>; 2],
-    /// `∓ μ J t` for the largest static coefficient `μ` of the case.
+    /// `± μ J t` for the largest static coefficient `μ` of the case.
     pub slope: [Vec<Z>; 2],
 }
 
@@ -20,16 +19,13 @@ impl FrictionEdges {
     /// Those of all fixels, in file order.
     #[must_use]
     pub fn of(part: &Part, fixture: &Fixture) -> Vec<Self> {
-        let edges = |fixel: &Fixel| {
-            let arm = difference(&part.center_of_mass, &fixel.point);
-            let normal = wrench(&arm, &fixel.normal);
-            let tangent = wrench(&arm, &[-&fixel.normal[1], fixel.normal[0].clone()]);
-            let least = tangent.iter().map(|t| t * &fixel.friction.static_.max);
-            let both = primitive_row(&normal.iter().map(|n| -n).chain(least).collect::<Vec<_>>());
+        let edges = |frame: &Frame| {
+            let tangents = frame.tangent.iter().map(|t| t * &frame.friction.static_.max);
+            let both = primitive_row(&frame.normal.iter().map(|n| -n).chain(tangents).collect::<Vec<_>>());
             let (base, slope) = (both[..3].to_vec(), both[3..].to_vec());
             Self { base: [base.clone(), base], slope: [slope.clone(), slope.iter().map(|entry| -entry).collect()] }
         };
-        fixture.fixels.iter().map(edges).collect()
+        Frame::of(part, fixture).iter().map(edges).collect()
     }
 
     /// The same edges at factor 1, whatever the factor.

@@ -2,12 +2,14 @@
 
 mod contact;
 mod feasible;
+mod frame;
 mod friction;
 mod mode;
 mod wrench_cone;
 
 pub use contact::{Contact, ContactRows};
 pub use feasible::feasible_modes;
+pub use frame::Frame;
 pub use friction::FrictionEdges;
 pub use mode::{Interaction, Mode, ModeError};
 pub use wrench_cone::{acceleration_system, balanced_cone, force_rays, mode_cone};

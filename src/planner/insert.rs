@@ -67,7 +67,7 @@ impl Ladder for Inserting<'_> {
             acyclic_fingers,
             goal_tilt: arc_set(&tilt_plane(), &goal)?,
             acyclic_tilt,
-            wrenches: sets.verdicts(task.question)?,
+            wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),
             robust,
             robust_acyclic,

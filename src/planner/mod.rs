@@ -12,6 +12,7 @@ mod stability;
 mod suggest;
 mod to_answer;
 mod transitions;
+mod witness;
 
 pub use insert::insertion;
 pub use sets::{Question, mode_cones};

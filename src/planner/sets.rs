@@ -3,7 +3,8 @@
 use super::fingers::Pushes;
 use super::to_answer::cone_answer;
 use super::transitions::Transitions;
-use crate::answer::{Cone as ConeAnswer, WrenchVerdict};
+use super::witness::witness;
+use crate::answer::{Cone as ConeAnswer, Witness, WrenchVerdict};
 use crate::cone::{Cone, HalfSpaces, Pair};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, climb, on_rung, primitive_row};
 use crate::mechanics::{
@@ -55,6 +56,7 @@ impl Ladder for ModeCones<'_> {
 /// What every planner works from, in integers of any size.
 pub(super) struct Task<'a> {
     pub(super) part: &'a Part,
+    pub(super) fixture: &'a Fixture,
     pub(super) question: &'a Question,
     pub(super) contacts: Vec<Contact>,
     pub(super) pushes: Pushes,
@@ -63,10 +65,10 @@ pub(super) struct Task<'a> {
 }
 
 impl<'a> Task<'a> {
-    pub(super) fn of(part: &'a Part, fixture: &Fixture, question: &'a Question) -> Result<Self, ModeError> {
+    pub(super) fn of(part: &'a Part, fixture: &'a Fixture, question: &'a Question) -> Result<Self, ModeError> {
         check_modes(fixture, question)?;
         let contacts = Contact::of(part, fixture);
-        Ok(Self { part, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() })
+        Ok(Self { part, fixture, question, contacts, pushes: Pushes::of(part), reach: part.torque_reach() })
     }
 }
 
@@ -113,8 +115,13 @@ impl<T: Int> Sets<T> {
         })
     }
 
-    pub(super) fn verdicts(&self, question: &Question) -> Result<Vec<WrenchVerdict>, Overflow> {
-        question.wrenches.iter().map(|wrench| self.verdict(wrench)).collect()
+    /// Verdicts on the wrenches that are asked about, each with what shows it.
+    pub(super) fn verdicts(&self, task: &Task) -> Result<Vec<WrenchVerdict>, Overflow> {
+        let judged = |wrench| {
+            let verdict = self.verdict(wrench)?;
+            Ok(WrenchVerdict { witness: witness(self, task, &verdict)?, ..verdict })
+        };
+        task.question.wrenches.iter().map(judged).collect()
     }
 
     fn verdict(&self, wrench: &[Q; 3]) -> Result<WrenchVerdict, Overflow> {
@@ -141,6 +148,7 @@ impl<T: Int> Sets<T> {
             acyclic: acyclic == Some(true),
             unrefuted: is_outside(&mut self.refuting.iter())?,
             modes,
+            witness: Witness::default(),
         })
     }
 
@@ -179,17 +187,19 @@ fn moving_cones<T: Int>(
     for mode in feasible.iter().filter(|mode| **mode != rest) {
         cones.extend(mode_cone(contacts, mode, true)?.map(|cone| (Mode(mode.clone()), cone)));
     }
-    let fixed = acceleration_system(contacts, &rest, true);
-    let still = Pair::from_normals(&fixed.equalities, &fixed.closed)?;
-    for pivot in still.lines().rows() {
-        let opposite: Vec<T> = pivot.iter().map(T::negated).collect();
-        for strict in [pivot.to_vec(), opposite] {
-            let system = HalfSpaces { strict: Matrix::from_rows(3, [strict]), ..fixed.clone() };
-            let turning = Cone::from_half_spaces_plus(&system, &force_rays(contacts, &rest))?;
-            cones.extend(turning.map(|cone| (Mode(rest.clone()), cone)));
-        }
+    for system in pivoting_systems(contacts)? {
+        let turning = Cone::from_half_spaces_plus(&system, &force_rays(contacts, &rest))?;
+        cones.extend(turning.map(|cone| (Mode(rest.clone()), cone)));
     }
     Ok(cones)
+}
+
+/// The accelerations that turn the part, either way, while it rolls on every contact; none unless all are at one point.
+pub(super) fn pivoting_systems<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<HalfSpaces<T>>, Overflow> {
+    let fixed = acceleration_system(contacts, &vec![Interaction::Roll; contacts.len()], true);
+    let still = Pair::from_normals(&fixed.equalities, &fixed.closed)?;
+    let ways = still.lines().rows().flat_map(|pivot| [pivot.to_vec(), pivot.iter().map(T::negated).collect()]);
+    Ok(ways.map(|way| HalfSpaces { strict: Matrix::from_rows(3, [way]), ..fixed.clone() }).collect())
 }
 
 /// The cones of the n 2^(n-1) transitions that do not add a contact: `s` at one fixel, `m` on any of the others, `u` on

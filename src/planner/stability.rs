@@ -42,7 +42,7 @@ impl Ladder for Resting<'_> {
             strong_fingers: fingers(&cells)?,
             weak_tilt: arc_set(&tilt_plane(), weak)?,
             strong_tilt: arc_set(&tilt_plane(), &cells)?,
-            wrenches: sets.verdicts(task.question)?,
+            wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),
         })
     }

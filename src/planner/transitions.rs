@@ -9,6 +9,8 @@ pub(super) struct Transitions<T> {
     n_states: usize,
     /// Cones of the wrenches under which some unseated state can persist.
     pub(super) loops: Vec<Cone<T>>,
+    /// The states that can, one for each loop.
+    persisting: Vec<usize>,
     edges: Vec<Edge<T>>,
 }
 
@@ -73,26 +75,32 @@ impl<T: Int> Transitions<T> {
     /// graphs with the seated state as their only sink.
     pub(super) fn of(contacts: &[ContactRows<T>]) -> Result<Self, Overflow> {
         let n_states = 1_usize << contacts.len();
-        let (mut loops, mut edges) = (Vec::new(), Vec::new());
+        let mut graph = Self { n_states, loops: Vec::new(), persisting: Vec::new(), edges: Vec::new() };
         for from in 0..n_states {
             for to in 0..n_states {
                 let Some(step) = Step::between(from, to, contacts.len()) else { continue };
                 let Some(cone) = mode_cone(contacts, &step.mode, step.strict_s)? else { continue };
                 if from == to {
-                    loops.push(cone);
+                    graph.loops.push(cone);
+                    graph.persisting.push(from);
                 } else {
-                    edges.push(Edge { from, to, possible: cone.half_spaces()?, cone });
+                    graph.edges.push(Edge { from, to, possible: cone.half_spaces()?, cone });
                 }
             }
         }
-        Ok(Self { n_states, loops, edges })
+        Ok(graph)
     }
 
     /// Whether the graph under `wrench` has no cycle.
     pub(super) fn is_acyclic(&self, wrench: &[T]) -> Result<bool, Overflow> {
-        for cone in &self.loops {
+        Ok(self.cycle(wrench)?.is_empty())
+    }
+
+    /// The states on a shortest cycle of the graph under `wrench`, in order and each once; none if there is no cycle.
+    pub(super) fn cycle(&self, wrench: &[T]) -> Result<Vec<usize>, Overflow> {
+        for (cone, state) in self.loops.iter().zip(&self.persisting) {
             if cone.contains(wrench)? {
-                return Ok(false);
+                return Ok(vec![*state]);
             }
         }
         let mut present = 0;
@@ -101,7 +109,26 @@ impl<T: Int> Transitions<T> {
                 present |= 1 << index;
             }
         }
-        Ok(!self.has_cycle(present))
+        let cycles = (0..self.n_states).filter_map(|state| self.way_back(present, state));
+        Ok(cycles.min_by_key(Vec::len).unwrap_or_default())
+    }
+
+    /// The states on a shortest way over `edges` from `start` back to it.
+    fn way_back(&self, edges: u64, start: usize) -> Option<Vec<usize>> {
+        let mut ways = vec![vec![start]];
+        let mut seen = vec![false; self.n_states];
+        while let Some(way) = (!ways.is_empty()).then(|| ways.remove(0)) {
+            let last = way[way.len() - 1];
+            for (_, edge) in self.chosen(edges).filter(|(_, edge)| edge.from == last) {
+                if edge.to == start {
+                    return Some(way);
+                }
+                if !std::mem::replace(&mut seen[edge.to], true) {
+                    ways.push(way.iter().copied().chain([edge.to]).collect());
+                }
+            }
+        }
+        None
     }
 
     /// Cells of the wrenches outside of all loops, each cut by one more transition only while its verdict is open.
@@ -114,11 +141,12 @@ impl<T: Int> Transitions<T> {
         Ok(verdict)
     }
 
-    /// Whether some wrench of `piece`, which lies outside of all loops, leaves the graph without a cycle.
-    pub(super) fn is_acyclic_somewhere(&self, piece: Cone<T>) -> Result<bool, Overflow> {
+    /// Whether the graph is without a cycle on some cell of dimension `least_dim` or more of `piece`, which lies outside of
+    /// all loops.
+    pub(super) fn is_acyclic_somewhere(&self, piece: Cone<T>, least_dim: usize) -> Result<bool, Overflow> {
         let mut open = self.open(vec![piece]);
-        while let Some((_, is_acyclic)) = self.decide_next(&mut open)? {
-            if is_acyclic {
+        while let Some((cell, is_acyclic)) = self.decide_next(&mut open)? {
+            if is_acyclic && cell.closure().dim() >= least_dim {
                 return Ok(true);
             }
         }

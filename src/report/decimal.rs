@@ -212,7 +212,7 @@ fn trim(text: String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{parse_literal, ratio};
+    use crate::exact::{Polynomial, parse_literal, ratio};
 
     fn interval(from: Q, to: Q, closed: [bool; 2]) -> Interval {
         let origin = || [ratio(0, 1), ratio(0, 1)];
@@ -290,6 +290,16 @@ mod tests {
         for (quarters, angle) in angles {
             assert_eq!(arcsine_at_least(&ratio(quarters, 4)), angle);
         }
+    }
+
+    #[test]
+    fn factors_in_percent_are_rounded_down() {
+        let golden = Polynomial::from([-1, -1, 1]).real_roots(ratio(0, 1)..).unwrap().remove(0);
+        assert_eq!(percent_up_to(&golden, false), "161");
+        assert_eq!(percent_up_to(&ratio(1, 3).into(), true), "33.3");
+        assert_eq!(percent_up_to(&ratio(5, 1).into(), true), "500");
+        assert_eq!(percent_up_to(&ratio(5, 1).into(), false), "499");
+        assert_eq!(percent_up_to(&ratio(0, 1).into(), true), "0");
     }
 
     #[test]

@@ -67,7 +67,7 @@ proptest! {
         (a, b) in two_rows(wide().boxed()), p in wide(), q in wide()
     ) {
         let expected = expected(p, &big(&a), q, &big(&b));
-        prop_assert_eq!(combined(&p, &a, &q, &b), fitted::<i128>(&expected));
+        prop_assert_eq!(combined(&p.into(), &a, &q.into(), &b), fitted::<i128>(&expected));
         let (a, b) = (big(&a), big(&b));
         prop_assert_eq!(combined(&Z::from(p), &a, &Z::from(q), &b), Ok(expected));
     }
@@ -81,8 +81,13 @@ proptest! {
         } else {
             prop_assert!(a.len() > 2, "two products of words fit 127 bits");
         }
-        if let Ok(found) = i128::dot(&c, &d) {
-            prop_assert_eq!(Z::from(found), exact(&big(&c), &big(&d)));
+        if let Ok(double) = i128::dot(&c, &d) {
+            let expected = exact(&big(&c), &big(&d));
+            prop_assert_eq!(i128::wide_sign(&double), Z::wide_sign(&expected));
+            prop_assert_eq!(Z::from(i128::wide_negated(&double)), -&expected);
+            prop_assert_eq!(Z::from(double), expected);
+        } else {
+            prop_assert!(c.len() > 2, "two products of double words fit 255 bits");
         }
         prop_assert_eq!(Z::dot(&big(&a), &big(&b)), Ok(words));
     }
@@ -94,12 +99,33 @@ proptest! {
         let mut narrow = Entries::new();
         let mut double = Entries::new();
         prop_assert_eq!(i64::primitive(&row, &mut narrow).map(|()| narrow.to_vec()), fitted::<i64>(&expected));
-        i128::primitive(&row, &mut double).unwrap();
+        let wide: Vec<_> = row.iter().map(i128::widen).collect();
+        i128::primitive(&wide, &mut double).unwrap();
         prop_assert_eq!(big(&double), expected.clone());
         prop_assert_eq!(primitive_row(&rational), expected.clone());
         let mut in_place = row.clone();
         i128::make_primitive(&mut in_place);
         prop_assert_eq!(big(&in_place), expected);
+    }
+
+    /// Dot products of up to 256 bits as factors and as a row of their own.
+    #[test]
+    fn products_of_double_words_are_kept_whole(
+        (a, b) in two_rows(wide().boxed()), (c, d) in two_rows(wide().boxed()), (x, y) in two_rows(wide().boxed())
+    ) {
+        let exact = |a: &[i128], b: &[i128]| a.iter().zip(b).map(|(x, y)| x.to_z() * y).sum::<Z>();
+        let [Ok(p), Ok(q)] = [(&a, &b), (&c, &d)].map(|(a, b)| i128::dot(a, b)) else { return Ok(()) };
+        let [p_big, q_big] = [exact(&a, &b), exact(&c, &d)];
+        let rational = |row: &[Z]| row.iter().cloned().map(Q::from_integer).collect::<Vec<Q>>();
+        let mut row = Entries::new();
+        let found = i128::primitive(&[p, q], &mut row).map(|()| row.to_vec());
+        prop_assert_eq!(found, fitted::<i128>(&super::naive::coprime(&rational(&[p_big.clone(), q_big.clone()]))));
+        let whole: Vec<Z> = big(&x).iter().zip(big(&y)).map(|(x, y)| x * &p_big + y * &q_big).collect();
+        let whole = super::naive::coprime(&rational(&whole));
+        prop_assert_eq!(combined(&p_big, &big(&x), &q_big, &big(&y)), Ok(whole.clone()));
+        if let Ok(found) = combined(&p, &x, &q, &y) {
+            prop_assert_eq!(big(&found), whole);
+        }
     }
 
     #[test]
@@ -141,11 +167,12 @@ fn the_least_value_of_a_type_is_an_overflow_wherever_it_would_come_out() {
     assert_eq!(combined(&least, &[1, 0], &2, &[0, 1]), Ok(vec![-(1_i64 << 62), 1]));
     assert_eq!(i64::dot(&[1 << 62; 8], &[-(1 << 62); 8]), Err(Overflow));
     assert_eq!(i64::dot(&[1 << 62; 7], &[-(1 << 62); 7]), Ok(-7 << 124));
-    assert_eq!(i128::dot(&[1 << 126, 1 << 126], &[-1, -1]), Err(Overflow));
-    assert_eq!(i128::dot(&[1 << 126, i128::MAX >> 1], &[-1, -1]), Ok(-i128::MAX));
+    assert_eq!(i128::dot(&[i128::MAX; 3], &[i128::MAX; 3]), Err(Overflow));
+    assert_eq!(i128::dot(&[i128::MAX; 2], &[-i128::MAX; 2]).map(Z::from), Ok(Z::from(i128::MAX).pow(2) * -2));
     let half = -(1_i128 << 126);
-    assert_eq!(combined(&1, &[half, 1], &1, &[half, 0]), Err::<Vec<i128>, _>(Overflow));
-    assert_eq!(combined(&1, &[half, 2], &1, &[half, 0]), Ok(vec![half, 1]));
+    let one = 1.into();
+    assert_eq!(combined(&one, &[half, 1], &one, &[half, 0]), Err::<Vec<i128>, _>(Overflow));
+    assert_eq!(combined(&one, &[half, 2], &one, &[half, 0]), Ok(vec![half, 1]));
 }
 
 #[test]

@@ -143,6 +143,19 @@ fn ends_belong_to_the_range_as_it_says() {
     assert_eq!(ascending, [int(0), int(1)]);
 }
 
+/// Bisection of these ranges does not meet zero.
+#[test]
+fn zero_is_found_as_such() {
+    let p = Polynomial::from([0, -2, 0, 1]); // x³ - 2 x
+    for (low, high) in [("-1", "2"), ("-1/3", "1")] {
+        let found = p.real_roots(q(low)..=q(high)).unwrap();
+        assert_eq!(found[0], int(0));
+        assert_eq!(found[0].rational(), Some(int(0)));
+        assert_eq!(found[0].to_f64(), 0.0);
+        assert!(found[1..].iter().all(|root| root.bounds()[0] > int(0)));
+    }
+}
+
 #[test]
 fn constants_have_no_roots_and_zero_has_all() {
     assert_eq!(Polynomial::default().real_roots(..), None);

@@ -88,3 +88,12 @@ fn easy_signs_take_no_exact_arithmetic_and_zeros_do() {
     assert_eq!(filter.sign_at(&p, &convergent).is_gt(), sign);
     assert_eq!((filter.n_settled(), filter.n_exact()), (100, 1));
 }
+
+#[test]
+fn zero_times_an_unbounded_interval_is_near_zero() {
+    let huge = FloatInterval::of_integer(&(Z::from(1) << 1_100_u32));
+    let anything = huge - huge;
+    assert_eq!(anything.ends(), [f64::NEG_INFINITY, f64::INFINITY]);
+    let product = FloatInterval::of_integer(&Z::from(0)) * anything;
+    assert!(holds(product, &int(0)) && product.ends().iter().all(|end| end.abs() < 1e-300));
+}

@@ -26,7 +26,11 @@ pub(in crate::planner) fn nearest_change(part: &Part, fixture: &Fixture, critica
 }
 
 fn opens_without(part: &Part, fixture: &Fixture, fixel: usize) -> bool {
+    // more than three have dependent normals
+    if !(2..=4).contains(&fixture.fixels.len()) {
+        return false;
+    }
     let mut rest = fixture.clone();
     rest.fixels.remove(fixel);
-    !rest.fixels.is_empty() && Family::of(part, &rest, &Contact::of(part, &rest)).is_possible(Set::Acyclic, &Q::one())
+    Family::of(part, &rest, &Contact::of(part, &rest)).is_possible(Set::Acyclic, &Q::one())
 }

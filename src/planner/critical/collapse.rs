@@ -1,20 +1,16 @@
 //! Whether a cell of wrenches keeps an interior as its sides move with the factor.
 
-use super::events::{Rays, Vector, cross_product, inner_product};
-use crate::cone::Cone;
-use crate::exact::{Algebraic, Polynomial, Q, Z};
+use super::events::{Planes, Vector, cross_product, inner_product};
+use crate::exact::{Algebraic, Polynomial, Z};
 use std::cmp::Ordering;
 
-/// Whether the cell of a set at `before` still has an interior when its sides have moved to `factor`, with no event between.
+/// Whether a cell with the facet normals `cell` at one factor, where its sides are `planes`, still has an interior when they
+/// have moved to `factor`, with no event between.
 ///
 /// Its interior `{x : h_i · x < 0}` is lost iff normals have a positive dependence there (Gordan). Four independent but for
 /// that would have had it before, so it takes two opposite normals or three in a plane around zero.
-pub(super) fn lasts(cell: &Cone<Z>, rays: &Rays, before: &Q, factor: &Algebraic) -> bool {
-    let closure = cell.closure();
-    if closure.dim() < 3 {
-        return false;
-    }
-    let sides: Option<Vec<Vector>> = closure.facets().rows().map(|row| rays.normal(row, before)).collect();
+pub(super) fn lasts(cell: &[Vec<Z>], planes: &Planes, factor: &Algebraic) -> bool {
+    let sides: Option<Vec<Vector>> = cell.iter().map(|row| planes.through(row)).collect();
     let sides = sides.expect("every facet of a cell is spanned by two rays");
     let at = At(factor);
     let n = sides.len();

@@ -2,9 +2,9 @@
 
 use super::family::Family;
 use super::interval::{Determinants, Interval};
-use crate::exact::{Polynomial, Q, Z, primitive_row};
+use crate::exact::{Int as _, Polynomial, Q, Z};
 use crate::mechanics::Contact;
-use num_traits::Zero as _;
+use num_traits::{Signed as _, Zero as _};
 
 /// A ray `base + k slope` that spans cones of some modes, as a function of the factor `k`.
 struct Ray {
@@ -79,14 +79,17 @@ impl Rays {
                 }
             }
         }
-        events.retain(|event| event.degree().is_some_and(|degree| degree > 0));
-        events
+        different(events)
     }
 
     fn determinants(&self, low: &Q, high: &Q) -> Determinants {
         let factor = Interval::between(low, high);
-        let range =
-            |ray: &Ray| [0, 1, 2].map(|axis| Interval::of(&ray.base[axis]) + factor * Interval::of(&ray.slope[axis]));
+        let range = |ray: &Ray| {
+            // a length about one keeps products of six within the doubles
+            let bits = ray.base.iter().chain(&ray.slope).map(Z::bits).max().unwrap_or(0);
+            let entry = |value: &Z| Interval::of(&Q::new(value.clone(), Z::from(1) << bits));
+            [0, 1, 2].map(|axis| entry(&ray.base[axis]) + factor * entry(&ray.slope[axis]))
+        };
         Determinants::of(self.0.iter().map(range).collect())
     }
 
@@ -95,19 +98,16 @@ impl Rays {
         inner_product(&self.vector(a), &cross_product(&self.vector(b), &self.vector(c)))
     }
 
-    /// `sign normal` as a function of the factor, for a row that is normal to the plane of two rays at `factor`.
-    pub(super) fn normal(&self, row: &[Z], factor: &Q) -> Option<Vector> {
-        let at = |entry: &Polynomial| entry.at(factor);
-        self.planes().into_iter().find_map(|[a, b]| {
-            let normal = cross_product(&self.vector(a), &self.vector(b));
-            let here = primitive_row(&normal.each_ref().map(at));
-            let is_opposite = here.iter().zip(row).all(|(x, y)| *x == -y);
-            match (here == row, is_opposite) {
-                (true, _) => Some(normal),
-                (_, true) => Some(normal.map(|entry| -entry)),
-                _ => None,
-            }
-        })
+    /// The planes of all cones as they are at `factor`.
+    pub(super) fn planes_at(&self, factor: &Q) -> Planes {
+        let at = |ray: &Ray| [0, 1, 2].map(|axis| &ray.base[axis] * factor.denom() + &ray.slope[axis] * factor.numer());
+        let here: Vec<[Z; 3]> = self.0.iter().map(at).collect();
+        let plane = |[a, b]: [usize; 2]| {
+            let mut row = cross(&here[a], &here[b]).to_vec();
+            Z::make_primitive(&mut row);
+            (row, [self.vector(a), self.vector(b)])
+        };
+        Planes(self.planes().into_iter().map(plane).collect())
     }
 
     fn vector(&self, index: usize) -> Vector {
@@ -125,6 +125,34 @@ impl Rays {
         let n = self.0.len();
         let pairs = (0..n).flat_map(|first| (first + 1..n).map(move |second| [first, second]));
         pairs.filter(|pair| self.are_together(*pair)).collect()
+    }
+}
+
+/// The polynomials that are not constant, primitive, with a positive leading coefficient, and each once.
+fn different(events: Vec<Polynomial>) -> Vec<Polynomial> {
+    let with_sign = |event: Polynomial| if event.leading().is_some_and(Z::is_negative) { -event } else { event };
+    let is_constant = |event: &Polynomial| event.degree().is_none_or(|degree| degree == 0);
+    let events = events.into_iter().filter(|event| !is_constant(event));
+    let mut events: Vec<Polynomial> = events.map(|event| with_sign(event.primitive())).collect();
+    events.sort_by(|a, b| a.coefficients().cmp(b.coefficients()));
+    events.dedup();
+    events
+}
+
+/// Planes of two rays, each with its primitive normal at one factor.
+pub(super) struct Planes(Vec<(Vec<Z>, [Vector; 2])>);
+
+impl Planes {
+    /// As a function of the factor the vector that is `normal`, up to a positive number, at theirs; `None` if it is normal to no plane.
+    pub(super) fn through(&self, normal: &[Z]) -> Option<Vector> {
+        self.0.iter().find_map(|(row, [a, b])| {
+            let is_opposite = row.iter().zip(normal).all(|(x, y)| *x == -y);
+            match (row == normal, is_opposite) {
+                (true, _) => Some(cross_product(a, b)),
+                (_, true) => Some(cross_product(b, a)),
+                _ => None,
+            }
+        })
     }
 }
 

@@ -6,6 +6,7 @@ use crate::cone::{Cone, Outside, complement};
 use crate::exact::{Int, Ladder, Overflow, Q, Rung, Z, climb, on_rung};
 use crate::mechanics::{Contact, FrictionEdges};
 use crate::model::{Fixture, Part};
+use std::cell::Cell;
 
 /// The contacts of a seated part for every factor on the coefficients of some of its fixels.
 ///
@@ -16,6 +17,8 @@ pub(super) struct Family {
     pub(super) contacts: Vec<Contact>,
     pub(super) edges: Vec<FrictionEdges>,
     pub(super) is_independent: bool,
+    /// The lowest rung that held everything so far: factors are alike, and so are the numbers that they lead to.
+    rung: Cell<Rung>,
 }
 
 /// A set of wrenches that guarantees the seat.
@@ -29,7 +32,8 @@ impl Family {
     /// All coefficients of the fixture times one factor.
     pub(super) fn of(part: &Part, fixture: &Fixture, contacts: &[Contact]) -> Self {
         let is_independent = are_independent(contacts).expect("integers of any size do not overflow");
-        Self { contacts: contacts.to_vec(), edges: FrictionEdges::of(part, fixture), is_independent }
+        let edges = FrictionEdges::of(part, fixture);
+        Self { contacts: contacts.to_vec(), edges, is_independent, rung: Cell::new(Rung::Word) }
     }
 
     /// The coefficients of one fixel times the factor, all others as they are.
@@ -55,26 +59,35 @@ impl Family {
 
     /// Whether `set` holds a wrench at `factor`.
     pub(super) fn is_possible(&self, set: Set, factor: &Q) -> bool {
-        self.is_independent && climb(&IsPossible { contacts: self.at(factor), set }, Rung::Word).0
+        self.is_independent && self.run(&IsPossible { contacts: self.at(factor), set, least_dim: 0 })
+    }
+
+    /// Whether `set` has an interior at `factor`.
+    pub(super) fn has_interior(&self, set: Set, factor: &Q) -> bool {
+        self.is_independent && self.run(&IsPossible { contacts: self.at(factor), set, least_dim: 3 })
     }
 
     /// Whether `wrench` is in the acyclic set at `factor`.
     pub(super) fn holds_acyclic(&self, factor: &Q, wrench: &[Z]) -> bool {
-        self.is_independent && climb(&HoldsAcyclic { contacts: self.at(factor), wrench }, Rung::Word).0
+        self.is_independent && self.run(&HoldsAcyclic { contacts: self.at(factor), wrench })
     }
 
-    /// The cells of `set` at `factor`.
-    pub(super) fn cells(&self, set: Set, factor: &Q) -> Vec<Cone<Z>> {
-        if !self.is_independent {
-            return Vec::new();
-        }
-        cells(set, &self.at(factor)).expect("integers of any size do not overflow")
+    /// The facet normals of each cell of `set` at `factor` that has an interior.
+    pub(super) fn cells(&self, set: Set, factor: &Q) -> Vec<Vec<Vec<Z>>> {
+        if self.is_independent { self.run(&Cells { contacts: self.at(factor), set }) } else { Vec::new() }
+    }
+
+    fn run<J: Ladder>(&self, job: &J) -> J::Output {
+        let (output, rung) = climb(job, self.rung.get());
+        self.rung.set(rung);
+        output
     }
 }
 
 struct IsPossible {
     contacts: Vec<Contact>,
     set: Set,
+    least_dim: usize,
 }
 
 impl Ladder for IsPossible {
@@ -85,13 +98,19 @@ impl Ladder for IsPossible {
         match self.set {
             Set::Goal => {
                 let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
-                Ok(Outside::of(3, &holes)?.next_piece()?.is_some())
+                let mut pieces = Outside::of(3, &holes)?;
+                while let Some(piece) = pieces.next_piece()? {
+                    if piece.closure().dim() >= self.least_dim {
+                        return Ok(true);
+                    }
+                }
+                Ok(false)
             }
             Set::Acyclic => {
                 let transitions = Transitions::of(&contacts)?;
                 let mut pieces = Outside::of(3, &transitions.loops)?;
                 while let Some(piece) = pieces.next_piece()? {
-                    if transitions.is_acyclic_somewhere(piece)? {
+                    if transitions.is_acyclic_somewhere(piece, self.least_dim)? {
                         return Ok(true);
                     }
                 }
@@ -114,16 +133,30 @@ impl Ladder for HoldsAcyclic<'_> {
     }
 }
 
-fn cells<T: Int>(set: Set, contacts: &[Contact]) -> Result<Vec<Cone<T>>, Overflow> {
-    let contacts = contacts_on_rung::<T>(contacts)?;
-    match set {
-        Set::Goal => {
-            let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
-            complement(3, &holes)
-        }
-        Set::Acyclic => {
-            let transitions = Transitions::of(&contacts)?;
-            Ok(transitions.verdict(complement(3, &transitions.loops)?)?.acyclic)
-        }
+struct Cells {
+    contacts: Vec<Contact>,
+    set: Set,
+}
+
+impl Ladder for Cells {
+    type Output = Vec<Vec<Vec<Z>>>;
+
+    fn run<T: Int>(&self) -> Result<Self::Output, Overflow> {
+        let contacts = contacts_on_rung::<T>(&self.contacts)?;
+        let cells = match self.set {
+            Set::Goal => {
+                let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
+                complement(3, &holes)?
+            }
+            Set::Acyclic => {
+                let transitions = Transitions::of(&contacts)?;
+                transitions.verdict(complement(3, &transitions.loops)?)?.acyclic
+            }
+        };
+        let normals = |cell: &Cone<T>| {
+            let rows = cell.closure().facets().rows();
+            rows.map(|row| row.iter().map(T::to_z).collect()).collect()
+        };
+        Ok(cells.iter().filter(|cell| cell.closure().dim() == 3).map(normals).collect())
     }
 }

@@ -1,6 +1,6 @@
 //! Enclosures in floating point, rounded outward: they only tell which polynomials need no exact look.
 
-use crate::exact::{Q, Z, to_f64};
+use crate::exact::{Q, to_f64};
 use std::ops::{Add, Mul, Sub};
 
 /// A closed interval that holds the number meant, however it was rounded.
@@ -12,12 +12,12 @@ pub(super) struct Interval {
 
 impl Interval {
     pub(super) fn between(low: &Q, high: &Q) -> Self {
-        Self { low: to_f64(low), high: to_f64(high) }.wider()
+        // a conversion may be off by a unit in the last place
+        Self { low: to_f64(low), high: to_f64(high) }.wider().wider()
     }
 
-    pub(super) fn of(value: &Z) -> Self {
-        let near = to_f64(&Q::from(value.clone()));
-        Self { low: near, high: near }.wider()
+    pub(super) fn of(value: &Q) -> Self {
+        Self::between(value, value)
     }
 
     /// Whether zero may be meant; true for whatever overflowed.

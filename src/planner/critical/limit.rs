@@ -4,7 +4,7 @@ use super::collapse::lasts;
 use super::events::Rays;
 use super::family::{Family, Set};
 use super::jam::{first_jam, jam_at};
-use super::search::{Falling, Loss, below, lost};
+use super::search::{Falling, Loss, above, below, lost};
 use crate::answer::{CriticalFactor, End, FrictionLimit};
 use crate::exact::{Algebraic, Polynomial, Q, Z, ratio};
 use crate::model::Fixture;
@@ -41,15 +41,23 @@ pub(super) fn of_set(family: &Family, jams: Option<&Fixture>, set: Set, known: &
         && high.as_ref().is_none_or(|high| above < *high)
     {
         if condition.holds(&above) {
-            let factor = above.into();
-            let (is_attained, end) = (Some(true), Some(End::Jumps));
-            return FrictionLimit::Finite(CriticalFactor { factor, is_attained, end, jam: Some(jam) });
+            let end = Some(condition.end_at_rational(&above));
+            return FrictionLimit::Finite(CriticalFactor {
+                factor: above.into(),
+                is_attained: Some(true),
+                end,
+                jam: Some(jam),
+            });
         }
         high = Some(above);
     }
-    if let Some(known) = known.above {
-        let known = below(&known.factor);
-        low = if known > low { known } else { low };
+    if let Some(known) = known.above.filter(|known| known.factor > Q::zero()) {
+        low = low.max(below(&known.factor));
+        // often both sets end together
+        let above = above(&known.factor);
+        if high.as_ref().is_none_or(|high| above < *high) {
+            if condition.holds(&above) { low = low.max(above) } else { high = Some(above) }
+        }
     }
     match lost(&condition, low, high) {
         None => FrictionLimit::Never,
@@ -102,25 +110,35 @@ impl Possible<'_> {
     /// sets below have in common has an interior iff the set at the factor itself has one; and the open set `goal` is
     /// empty there if not.
     fn end_at(&self, factor: Algebraic, before: &Q, jams: Option<&Fixture>) -> CriticalFactor {
-        let (factor, mut is_attained) = at_itself(self, factor);
-        let jumps = match (factor.rational(), is_attained) {
-            (Some(value), Some(true)) => {
-                self.family.cells(self.set, &value).iter().any(|cell| cell.closure().dim() == 3)
-            }
-            (Some(_), _) => false,
-            (None, _) => {
-                let cells = self.family.cells(self.set, before);
-                cells.iter().any(|cell| lasts(cell, &self.rays, before, &factor))
-            }
+        let (factor, attained) = at_itself(self, factor);
+        let end = match (factor.rational(), attained) {
+            (Some(value), Some(true)) => self.end_at_rational(&value),
+            (Some(_), _) => End::Shrinks,
+            (None, _) => self.end_at_root(&factor, before),
         };
-        if jumps {
-            is_attained = Some(true);
-        } else if self.set == Set::Goal {
-            is_attained = Some(false);
-        }
-        let end = if jumps { End::Jumps } else { End::Shrinks };
+        let is_attained = match end {
+            End::Jumps => Some(true),
+            End::Shrinks if self.set == Set::Goal => Some(false),
+            End::Shrinks => attained,
+        };
         let jam = jams.zip(factor.rational()).and_then(|(fixture, factor)| jam_at(fixture, &factor));
         CriticalFactor { factor, is_attained, end: Some(end), jam }
+    }
+
+    /// How the set ends that at `factor` still holds a wrench.
+    fn end_at_rational(&self, factor: &Q) -> End {
+        // the complement of closed cones has an interior
+        let has_interior = self.set == Set::Goal || self.family.has_interior(self.set, factor);
+        if has_interior { End::Jumps } else { End::Shrinks }
+    }
+
+    fn end_at_root(&self, factor: &Algebraic, before: &Q) -> End {
+        // close bounds settle most signs at the factor
+        let mut close = factor.clone();
+        close.refine(&(before * ratio(1, 1_000_000_000_000)));
+        let planes = self.rays.planes_at(before);
+        let cells = self.family.cells(self.set, before);
+        if cells.iter().any(|cell| lasts(cell, &planes, &close)) { End::Jumps } else { End::Shrinks }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Up to which factor something holds that, once lost, stays lost.
 
-use crate::exact::{Algebraic, Polynomial, Q, approximate, ratio};
+use crate::exact::{Algebraic, Polynomial, Q, Z, approximate, ratio};
 use num_traits::{One as _, Zero as _};
 
 /// A condition on the factor that holds up to some factor and at none beyond.
@@ -8,7 +8,7 @@ pub(super) trait Falling {
     /// Whether it holds at `factor`.
     fn holds(&self, factor: &Q) -> bool;
 
-    /// Polynomials of which one is zero at every factor above `low` and at most `high` at which it may be lost.
+    /// Different polynomials of which one is zero at every factor above `low` and at most `high` at which it may be lost.
     fn events(&self, low: &Q, high: &Q) -> Vec<Polynomial>;
 
     /// A factor beyond which nothing changes any more.
@@ -24,11 +24,12 @@ pub(super) struct Loss {
     pub(super) before: Q,
 }
 
-/// Events are isolated once the bracket is this narrow, relative to its end.
-const FIRST_LOOK: i64 = 64;
+/// Events are looked for once the bracket is this narrow, relative to its end.
+const FIRST_LOOK: i64 = 512;
 
-/// More events than this in a bracket are left for a narrower one.
-const MANY: usize = 24;
+/// More events than this are left for a bracket this many times narrower, unless that leaves as many.
+const MANY: usize = 8;
+const NARROWER: i64 = 16;
 
 /// Where `condition` is lost, which holds at `low` and, if it is given, not at `high`; `None` if it never is.
 ///
@@ -38,16 +39,18 @@ pub(super) fn lost(condition: &impl Falling, low: Q, high: Option<Q>) -> Option<
     let [mut low, mut high] = bracket(condition, low, high)?;
     let smallest = ratio(1, 1 << 24);
     let mut look = ratio(1, FIRST_LOOK);
+    let mut last = usize::MAX;
     loop {
         while &high - &low > &high * &look && high > smallest {
-            let middle = between(&low, &high);
+            let middle = middle(&low, &high);
             if condition.holds(&middle) { low = middle } else { high = middle }
         }
         let events = condition.events(&low, &high);
-        if events.len() <= MANY || look < ratio(1, 1_000_000_000) {
+        if events.len() <= MANY || events.len() == last {
             return Some(single_out(condition, &low, &high, &events));
         }
-        look /= ratio(16, 1);
+        last = events.len();
+        look /= ratio(NARROWER, 1);
     }
 }
 
@@ -109,15 +112,30 @@ fn separator(mut first: Algebraic, mut second: Algebraic) -> Q {
     }
 }
 
-/// A short rational below a positive number, by no more than a hundredth of it.
-pub(super) fn below(number: &Algebraic) -> Q {
-    let mut number = number.clone();
-    if number.rational().is_none() {
-        let width = number.bounds()[1].clone() * ratio(1, 1_000);
-        number.refine(&width);
+/// A short rational between two ends, by their logarithms where these are far apart.
+fn middle(low: &Q, high: &Q) -> Q {
+    if low.is_zero() {
+        return if *high < Q::one() { high * high * ratio(1, 2) } else { high * ratio(1, 2) };
     }
-    let [low, _] = number.bounds();
-    between(&(&low * ratio(99, 100)), &low)
+    let octaves = (high / low).to_integer().bits();
+    if octaves > 3 { low * Q::from(Z::one() << (octaves / 2)) } else { between(low, high) }
+}
+
+/// A short rational below a positive number, so near that no search between them needs to narrow them first.
+pub(super) fn below(number: &Algebraic) -> Q {
+    let low = near(number)[0].clone();
+    between(&(&low * (Q::one() - ratio(1, 4 * FIRST_LOOK))), &low)
+}
+
+/// A short rational above a positive number, as near.
+pub(super) fn above(number: &Algebraic) -> Q {
+    let high = near(number)[1].clone();
+    between(&high, &(&high * (Q::one() + ratio(1, 4 * FIRST_LOOK))))
+}
+
+fn near(number: &Algebraic) -> [Q; 2] {
+    let [_, high] = number.bounds();
+    number.enclosure(&(high * ratio(1, 8 * FIRST_LOOK)))
 }
 
 /// A rational with a short numerator and denominator in the middle half of an interval.

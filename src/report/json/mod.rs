@@ -6,6 +6,7 @@ mod number;
 mod polyhedron;
 mod sets;
 mod suggest;
+mod witness;
 
 pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
@@ -157,6 +158,9 @@ fn verdict(verdict: &WrenchVerdict) -> Value {
         "acyclic": verdict.acyclic,
         "unrefuted": verdict.unrefuted,
         "modes": verdict.modes,
+        "witness": witness::witness(&verdict.witness),
+        "consistent": verdict.witness.consistent.iter().map(|motion| motion.mode.as_str()).collect::<Value>(),
+        "motions": witness::motions(&verdict.witness),
     })
 }
 

@@ -11,8 +11,11 @@ pub(super) fn critical(critical: &CriticalFriction) -> Option<String> {
         FrictionLimit::Finite(plan) => plan,
     };
     let any = match &critical.acyclic {
-        FrictionLimit::Finite(end) if end.factor == plan.factor => format!("no wrench beyond{}", after(end)),
-        FrictionLimit::Finite(end) => format!("some wrench up to {}{}", share(end), after(end)),
+        FrictionLimit::Finite(end) if end.factor == plan.factor => match end.jam {
+            Some([first, second]) => format!("no wrench beyond, where fixels {first} and {second} jam the part"),
+            None => "no wrench beyond".to_owned(),
+        },
+        FrictionLimit::Finite(end) => format!("some wrench up to {}, {}", share(end), beyond(end)),
         FrictionLimit::Always | FrictionLimit::Never => "some wrench whatever it is".to_owned(),
     };
     Some(format!("the plan works up to {} of the friction given, {any}", share(plan)))
@@ -34,10 +37,10 @@ fn share(end: &CriticalFactor) -> String {
     format!("{} %", percent_up_to(&end.factor, end.is_attained == Some(true)))
 }
 
-fn after(end: &CriticalFactor) -> String {
+fn beyond(end: &CriticalFactor) -> String {
     match (end.jam, end.end) {
-        (Some([first, second]), _) => format!("; then fixels {first} and {second} jam the part"),
-        (None, Some(End::Jumps)) => "; then all at once none".to_owned(),
-        (None, _) => String::new(),
+        (Some([first, second]), _) => format!("beyond which fixels {first} and {second} jam the part"),
+        (None, Some(End::Jumps)) => "where the set ends abruptly".to_owned(),
+        (None, _) => "where the set shrinks to nothing".to_owned(),
     }
 }

@@ -3,6 +3,7 @@
 use super::super::Subject;
 use super::super::phrase;
 use super::cone::describe;
+use super::witness;
 use crate::answer::{Cone, WrenchVerdict};
 
 /// Listed in full up to this many; the rest is counted, so that the answer fits a screen.
@@ -58,6 +59,7 @@ impl Report {
     pub(super) fn wrenches(&mut self, wrenches: &[WrenchVerdict]) {
         for verdict in wrenches {
             self.line("wrench", &format!("{} {}", phrase::tuple(&verdict.wrench), words(verdict)));
+            witness::reasons(verdict).iter().for_each(|reason| self.line("", reason));
         }
     }
 

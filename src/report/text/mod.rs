@@ -7,6 +7,7 @@ mod lines;
 mod polyhedron;
 mod stable;
 mod suggest;
+mod witness;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;

@@ -1,0 +1,86 @@
+//! Why a wrench does not seat or hold the part, in plain words.
+
+use crate::answer::{Motion, Step, WrenchVerdict};
+
+/// Fixels named in full up to this many.
+const MOST_NAMED: usize = 4;
+
+/// What may keep the part from its seat, and what the seated part may do; nothing where both are certain.
+pub(super) fn reasons(verdict: &WrenchVerdict) -> Vec<String> {
+    let witness = &verdict.witness;
+    let (rest, leaving) = match &witness.unrefuted {
+        Some(step) if step.from == step.to => (Some(step), None),
+        step => (None, step.as_ref().map(|step| &step.motion)),
+    };
+    let detour = match (rest, &witness.acyclic, &witness.goal) {
+        (Some(rest), _, _) => Some(resting(rest)),
+        (None, Some(steps), _) => Some(circling(steps)),
+        (None, None, Some(step)) => Some(losing(step)),
+        (None, None, None) => None,
+    };
+    let motion = leaving.or(witness.strong.as_ref());
+    detour.into_iter().chain(motion.map(|motion| moving(motion, &witness.consistent))).collect()
+}
+
+fn resting(step: &Step) -> String {
+    format!("it may rest {}, short of {}", place(&step.from), fixels(&absent(step)))
+}
+
+fn circling(steps: &[Step]) -> String {
+    let [only] = steps else {
+        let states: Vec<String> = steps.iter().map(|step| place(&step.from)).collect();
+        return format!("contacts may come and go for ever: {}, and again", states.join(", then "));
+    };
+    format!("{} it may stay without nearing {}", place(&only.from), fixels(&absent(only)))
+}
+
+/// A step of the paper's stricter condition for a part that is seated all the same.
+fn losing(step: &Step) -> String {
+    let lost: Vec<usize> = step.from.iter().filter(|contact| !step.to.contains(contact)).copied().collect();
+    format!("not every step adds a contact: {} it may lose {}", place(&step.from), fixels(&lost))
+}
+
+fn moving(motion: &Motion, consistent: &[Motion]) -> String {
+    let acts = [('l', "slide left on"), ('r', "slide right on"), ('n', "turn about"), ('s', "lift off")];
+    let parts: Vec<String> = acts
+        .iter()
+        .filter(|(letter, _)| motion.mode.contains(*letter))
+        .map(|(letter, act)| {
+            let on = motion.mode.char_indices().filter(|(_, other)| other == letter).map(|(contact, _)| contact);
+            format!("{act} {}", fixels(&on.collect::<Vec<_>>()))
+        })
+        .collect();
+    let parts = joined(&parts);
+    let modes: Vec<&str> = consistent.iter().map(|motion| motion.mode.as_str()).collect();
+    match modes.as_slice() {
+        [only] => format!("seated, it must {parts} ({only})"),
+        many => format!("seated, it may {parts} ({}); undetermined between {}", motion.mode, many.join(" ")),
+    }
+}
+
+fn place(contacts: &[usize]) -> String {
+    if contacts.is_empty() { "clear of all fixels".to_owned() } else { format!("on {}", fixels(contacts)) }
+}
+
+fn absent(step: &Step) -> Vec<usize> {
+    (0..step.motion.contacts.len()).filter(|contact| !step.from.contains(contact)).collect()
+}
+
+fn fixels(numbers: &[usize]) -> String {
+    let noun = if numbers.len() == 1 { "fixel" } else { "fixels" };
+    let shown = if numbers.len() > MOST_NAMED { MOST_NAMED - 1 } else { numbers.len() };
+    let mut names: Vec<String> = numbers[..shown].iter().map(ToString::to_string).collect();
+    if shown < numbers.len() {
+        names.push(format!("{} more", numbers.len() - shown));
+    }
+    format!("{noun} {}", joined(&names))
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn joined(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
