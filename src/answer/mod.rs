@@ -5,6 +5,7 @@ mod insert;
 mod limit;
 mod polyhedron;
 mod region;
+mod suggest;
 mod witness;
 
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
@@ -12,4 +13,5 @@ pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stabili
 pub use limit::Limit;
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
+pub use suggest::{Proposal, Searched, Suggestion};
 pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

@@ -2,6 +2,7 @@
 
 use partplan::cone::format::FormatError;
 use partplan::mechanics::ModeError;
+use partplan::planner::SuggestError;
 use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -32,6 +33,9 @@ pub enum Failure {
     /// A mode does not fit the case.
     #[error("error: {0}")]
     Mode(#[from] ModeError),
+    /// Places for the fixels cannot be proposed.
+    #[error("error: {0}")]
+    Suggest(#[from] SuggestError),
     /// A polyhedron file is wrong.
     #[error("error: {path}:{fault}")]
     Polyhedron { path: String, fault: FormatError },

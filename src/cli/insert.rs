@@ -1,7 +1,7 @@
 //! `plan insert`: which pushes and tilts are guaranteed to seat the part.
 
 use super::common::{Common, Shown};
-use super::{Failure, Outcome, input, limit, output};
+use super::{Failure, Outcome, input, limit, output, suggest};
 use partplan::{planner, report};
 use std::io::Write;
 
@@ -18,6 +18,13 @@ pub struct Args {
     #[command(flatten)]
     shown: Shown,
 
+    /// Propose N places for the fixels on the part's edges instead, those with the largest margin first
+    ///
+    /// The case gives the number of fixels and their friction; where they are does not matter.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1_000))]
+    #[arg(conflicts_with_all = ["wrenches", "modes", "strict_s", "cells"])]
+    suggest: Option<u16>,
+
     /// Skip the dynamic verification, which this version does not have yet
     #[arg(long)]
     no_verify: bool,
@@ -27,6 +34,9 @@ pub struct Args {
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let _ = args.no_verify;
     let task = input::task(&args.common)?;
+    if let Some(count) = args.suggest {
+        return suggest::run(&task, &args.common, count.into(), args.shown.svg.as_deref(), out);
+    }
     let subject = task.subject();
     let Some(found) =
         limit::plan(&task, &args.common, &args.shown.modes, planner::insertion, report::json::INSERT, out)?

@@ -8,7 +8,9 @@ mod input;
 mod insert;
 mod limit;
 mod output;
+mod progress;
 mod stable;
+mod suggest;
 
 pub use failure::{Failure, Outcome, end};
 

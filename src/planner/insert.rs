@@ -2,11 +2,10 @@
 
 use super::critical::{critical_friction, nearest_change};
 use super::fingers::{arc_set, finger_set, tilt_plane};
-use super::recommend::{Margins, recommend};
 use super::robust::robust;
+use super::seating::Seating;
 use super::sets::{Question, Sets, Task};
 use super::to_answer::region_answer;
-use super::transitions::Verdict;
 use crate::answer::{EmptyReason, Insertion};
 use crate::cone::{Cone, Pair, complement, subtract};
 use crate::exact::{Int, Ladder, Matrix, Overflow, Rung, climb};
@@ -44,20 +43,13 @@ impl Ladder for Inserting<'_> {
         let sets = Sets::<T>::of(task)?;
         let (modes, holes): (Vec<Mode>, Vec<Cone<T>>) = sets.goal_holes.clone().unwrap_or_default().into_iter().unzip();
         let goal = if sets.goal_holes.is_some() { complement(3, &holes)? } else { Vec::new() };
-        let Verdict { acyclic, cyclic } = match &sets.transitions {
-            Some(transitions) => transitions.verdict(complement(3, &transitions.loops)?)?,
-            None => Verdict { acyclic: Vec::new(), cyclic: Vec::new() },
-        };
-        let loops = sets.transitions.iter().flat_map(|transitions| &transitions.loops);
-        let acyclic_holes: Vec<&Cone<T>> = loops.chain(&cyclic).collect();
-        let rho2 = task.part.gyration2();
-        let margins = Margins::of(&acyclic_holes, rho2.clone());
-        let fingers = |cells: &[Cone<T>]| finger_set(task.part, &task.pushes, cells);
-        let tilt = |cells: &[Cone<T>]| arc_set(&tilt_plane(), cells);
+        let Seating { acyclic, cyclic, fingers: acyclic_fingers, tilt: acyclic_tilt, plan } =
+            Seating::of(task.part, &task.pushes, sets.transitions.as_ref())?;
         let region = |cells: &[Cone<T>]| region_answer(cells, &task.reach);
-        let (acyclic_fingers, acyclic_tilt) = (fingers(&acyclic)?, tilt(&acyclic)?);
-        let inner = acyclic.iter().map(Cone::inner_point).collect::<Result<Vec<_>, _>>()?;
         let [robust, robust_acyclic] = if task.question.robust {
+            let rho2 = task.part.gyration2();
+            let loops = sets.transitions.iter().flat_map(|transitions| &transitions.loops);
+            let acyclic_holes: Vec<&Cone<T>> = loops.chain(&cyclic).collect();
             let of_goal = robust(&holes.iter().collect::<Vec<_>>(), &goal, &rho2, None)?;
             let of_acyclic = robust(&acyclic_holes, &acyclic, &rho2, of_goal.as_ref())?;
             [of_goal, of_acyclic]
@@ -70,10 +62,10 @@ impl Ladder for Inserting<'_> {
             hold: region(&without(&goal, &sets.strong_holes)?)?,
             unrefuted: region(&complement(3, &sets.refuting)?)?,
             empty_because: if acyclic.is_empty() { Some(empty_because(&sets.contacts, &modes, &holes)?) } else { None },
-            plan: recommend(task.part, &task.pushes, &acyclic_fingers, &acyclic_tilt, &inner, &margins),
-            goal_fingers: fingers(&goal)?,
+            plan,
+            goal_fingers: finger_set(task.part, &task.pushes, &goal)?,
             acyclic_fingers,
-            goal_tilt: tilt(&goal)?,
+            goal_tilt: arc_set(&tilt_plane(), &goal)?,
             acyclic_tilt,
             wrenches: sets.verdicts(task)?,
             modes: sets.asked_cones(),

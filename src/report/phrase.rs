@@ -2,7 +2,9 @@
 
 use super::Subject;
 use super::decimal::{self, Span, brief, near};
-use crate::answer::{Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Stability};
+use crate::answer::{
+    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Proposal, Stability, Suggestion,
+};
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
 use num_traits::{One as _, Signed as _, Zero as _};
@@ -33,6 +35,38 @@ pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {
         }
         None => format!("some wrench {seats}, but none was singled out"),
     }
+}
+
+/// The answer of `plan insert --suggest` in one line.
+pub(super) fn suggestion(answer: &Suggestion) -> String {
+    match (answer.proposals.first(), &answer.empty_because) {
+        (Some(best), _) => format!("put {}", proposal(best)),
+        (None, Some(reason)) => format!("no places are certain to seat the part: {}", why(reason)),
+        (None, None) => {
+            "none found: no places were met from which a push or tilt is certain to seat the part".to_owned()
+        }
+    }
+}
+
+/// Edges, action and margin of a proposal.
+pub(super) fn proposal(proposal: &Proposal) -> String {
+    let mut edges: Vec<usize> = proposal.places.iter().map(|(edge, _)| *edge).collect();
+    edges.sort_unstable();
+    let fixels = match edges.as_slice() {
+        [edge] => format!("the fixel on edge {edge}"),
+        [first @ .., last] => {
+            let first = first.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+            format!("the fixels on edges {first} and {last}")
+        }
+        [] => "no fixels".to_owned(),
+    };
+    let action = match &proposal.plan.action {
+        Action::PushEdge { edge, .. } => format!("push on edge {edge}"),
+        Action::PushArc { .. } => "push on the rim".to_owned(),
+        Action::Tilt { .. } => "tilt the tray".to_owned(),
+        Action::Wrench => "apply a wrench".to_owned(),
+    };
+    format!("{fixels} and {action}: margin at least {} %", decimal::percent_at_least(&proposal.plan.margin2))
 }
 
 /// The answer of `plan stable` in one line.

@@ -1,7 +1,7 @@
 //! Of `acyclic`: against the programs that decide which wrenches belong to it, and where it is a single known cone.
 
 use crate::support::cases::{NAMES, seated};
-use crate::support::member::rational;
+use crate::support::member::{in_region, rational};
 use crate::support::modes::Contacts;
 use crate::support::random::{Setup, any_friction, any_setup, polygons, runs, seatable, wrenches};
 use crate::support::{Wrench, dot, int};
@@ -11,7 +11,7 @@ use partplan::answer::{Cone, Insertion, Robust};
 use partplan::exact::{Q, from_float_exact, ratio, to_f64};
 use partplan::mechanics::{Interaction, Mode};
 use partplan::model::Range;
-use partplan::planner::{Question, insertion, mode_cones};
+use partplan::planner::{Question, mode_cones};
 use proptest::prelude::*;
 
 /// The most robust wrench of `acyclic`, unless the set is empty or so thin that it holds no ball.
@@ -46,7 +46,7 @@ fn feet(answer: &Insertion, g: &Wrench, rho2: &Q) -> (Vec<Wrench>, Vec<Wrench>) 
 
 /// Of the wrenches within `radius2` of `g`, squared and not relative, and a hair beyond, one that is not certain to seat
 /// the part, if the search about the feet meets one.
-fn stray((part, fixture): &Setup, answer: &Insertion, g: &Wrench, radius2: &Q) -> Option<Wrench> {
+fn stray((part, _): &Setup, answer: &Insertion, g: &Wrench, radius2: &Q) -> Option<Wrench> {
     let rho2 = part.gyration2();
     let (feet, ways) = feet(answer, g, &rho2);
     let reached = |foot: &&Wrench| norm2(&[0, 1, 2].map(|i| &foot[i] - &g[i]), &rho2) <= *radius2;
@@ -61,9 +61,7 @@ fn stray((part, fixture): &Setup, answer: &Insertion, g: &Wrench, radius2: &Q) -
             }
         }
     }
-    let question = Question { wrenches: probes, ..Question::default() };
-    let judged = insertion(part, fixture, &question).expect("no modes are asked for").wrenches;
-    judged.into_iter().find(|verdict| !verdict.acyclic).map(|verdict| verdict.wrench)
+    probes.into_iter().find(|probe| !in_region(&answer.acyclic, probe))
 }
 
 /// The radius is that of a foot, a wrench beside that foot fails, and none that is nearer does.

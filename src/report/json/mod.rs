@@ -5,10 +5,12 @@ mod layout;
 mod number;
 mod polyhedron;
 mod sets;
+mod suggest;
 mod witness;
 
 pub use layout::document;
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
+pub use suggest::{SUGGEST, suggestion};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};

@@ -1,6 +1,6 @@
 //! Marks on the page, in pixels: strokes and letters have the same size whatever the part's units.
 
-use svg::node::element::{Circle, Description, Path, Rectangle, Text, Title};
+use svg::node::element::{Circle, Description, Group, Path, Rectangle, Text, Title};
 use svg::{Document, Node};
 
 pub(super) const INK: &str = "#2b2f33";
@@ -154,6 +154,15 @@ impl Canvas {
             text = text.set("font-weight", "bold");
         }
         self.marks.push(text.into());
+    }
+
+    /// Adds another page `down` from the top of this one.
+    pub(super) fn inset(&mut self, other: Self, down: f64) {
+        let mut group = Group::new().set("transform", format!("translate(0 {})", number(down)));
+        for mark in other.marks {
+            group.append(mark);
+        }
+        self.marks.push(group.into());
     }
 
     pub(super) fn finish(self, width: f64, height: f64, title: &str, description: &str) -> String {

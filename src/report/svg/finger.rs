@@ -112,7 +112,7 @@ fn middle_of_first(scene: &Scene, bands: &[Band], edge: usize) -> Option<At> {
 }
 
 /// The outline runs counter-clockwise as seen, so outward is to the right.
-fn outward([from, to]: [At; 2]) -> At {
+pub(super) fn outward([from, to]: [At; 2]) -> At {
     let along = to.minus(from).normalized();
     At::new(-along.turned().x, -along.turned().y)
 }

@@ -31,6 +31,11 @@ impl Legend {
         }
     }
 
+    /// Adds what another legend explains.
+    pub(super) fn extend(&mut self, other: Self) {
+        other.entries.into_iter().for_each(|(swatch, meaning)| self.add(swatch, &meaning));
+    }
+
     /// Draws from `top` down and returns where it ends.
     pub(super) fn draw(&self, canvas: &mut Canvas, top: f64) -> f64 {
         let rule = Pen::stroke("#d5d9dd", 1.0);

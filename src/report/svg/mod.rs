@@ -7,8 +7,11 @@ mod label;
 mod legend;
 mod plan;
 mod scene;
+mod suggest;
 mod tilt;
 mod view;
+
+pub use suggest::suggestion;
 
 use super::{Subject, phrase};
 use crate::answer::{Insertion, Stability};

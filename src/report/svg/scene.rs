@@ -40,6 +40,13 @@ impl Scene {
     }
 
     pub(super) fn finish(mut self, name: &str, answer: &str) -> String {
+        let bottom = self.close(name, answer);
+        let bottom = self.legend.draw(&mut self.canvas, bottom);
+        self.canvas.finish(WIDTH, bottom, name, answer)
+    }
+
+    /// Draws what lies above all else, and the heading; returns the lower edge.
+    pub(super) fn close(&mut self, name: &str, answer: &str) -> f64 {
         self.center_of_mass();
         self.labels.draw(&mut self.canvas, &self.view);
         self.canvas.text(At::new(24.0, 24.0), Align::Left, 17.0, INK, true, &shortened(name, 70));
@@ -47,8 +54,7 @@ impl Scene {
             self.canvas.text(At::new(24.0, 46.0 + 16.0 * row as f64), Align::Left, 12.5, MUTED, false, line);
         }
         self.scale_bar();
-        let bottom = self.legend.draw(&mut self.canvas, self.view.bottom.max(HEADER));
-        self.canvas.finish(WIDTH, bottom, name, answer)
+        self.view.bottom.max(HEADER)
     }
 
     fn tolerance(&mut self, part: &Part) {

@@ -6,9 +6,11 @@ mod insert;
 mod lines;
 mod polyhedron;
 mod stable;
+mod suggest;
 mod witness;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;
 pub use polyhedron::polyhedron_notes;
 pub use stable::stability;
+pub use suggest::suggestion;
