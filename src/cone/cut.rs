@@ -47,7 +47,7 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
 pub(super) fn cut_within<T: Int>(normals: &Matrix<T>, allowed: &mut u64) -> Result<Cut<T>, Stop> {
     cut(&Matrix::new(normals.columns()), normals, &mut |normals, start| {
         let (parts, effort) = by_description(normals, start, *allowed, &mut |_| Err(Stop::Effort))?;
-        *allowed -= effort;
+        *allowed = allowed.saturating_sub(effort);
         Ok(parts)
     })
 }
@@ -118,25 +118,26 @@ fn attempt<T: Int>(equalities: &Echelon<T>, rows: &Matrix<T>, method: &mut Metho
     Ok((lines.rows, facets, rays))
 }
 
-/// Effort after which the primal-dual method is tried as well, for a share of what double description takes from there.
-const EASY: u64 = 1 << 21;
-const SHARE: u64 = 1;
+/// Effort after which the primal-dual method is tried as well, each time for as much as double description has taken.
+const EASY: u64 = 1 << 18;
 
 /// By double description, unless that takes long and the primal-dual method ends with far less effort.
 ///
-/// The choice depends on counts alone, so that it is the same in every run. Between them the two take at most
-/// `1 + 2 / SHARE` times the effort of double description.
+/// The choice depends on counts alone, so that it is the same in every run. Between them the two take
+/// no more than about three times the effort of double description.
 fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> {
-    let mut other: Option<PrimalDual<T>> = None;
+    let may_have_few_rays = start.basis.len() > 3;
+    let mut other: Option<Option<PrimalDual<T>>> = None;
     let mut answer = None;
-    let origin = (normals.len() > start.basis.len() && start.basis.len() > 3).then(|| start.clone());
     let found = by_description(normals, start, EASY, &mut |effort| {
-        if let Some(origin) = &origin {
+        if may_have_few_rays {
             let other = match &mut other {
                 Some(other) => other,
-                None => other.insert(PrimalDual::new(normals, origin)?),
+                None => other.insert(PrimalDual::new(normals)?),
             };
-            answer = other.run(effort / SHARE)?;
+            if let Some(other) = other {
+                answer = other.run(effort)?;
+            }
         }
         if answer.is_some() { Err(Stop::Effort) } else { Ok(2 * effort) }
     });
@@ -178,14 +179,14 @@ fn facets(on: &BitRows, n_rays: usize) -> Vec<usize> {
 }
 
 /// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
-struct Start<T> {
-    lines: Matrix<T>,
-    rays: Matrix<T>,
-    basis: Vec<usize>,
+pub(super) struct Start<T> {
+    pub(super) lines: Matrix<T>,
+    pub(super) rays: Matrix<T>,
+    pub(super) basis: Vec<usize>,
 }
 
 /// Starts from the whole space; each normal not constant on the lines left turns one line into a ray.
-fn absorb_lines<T: Int>(normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
+pub(super) fn absorb_lines<T: Int>(normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
     let dim = normals.columns();
     let mut lines = Matrix::identity(dim);
     let mut scratch = Entries::new();

@@ -18,6 +18,7 @@ mod describe;
 mod difference;
 mod faces;
 mod frame;
+mod interior;
 mod lattice;
 mod linear;
 mod nearest;
@@ -29,7 +30,6 @@ mod simple;
 mod simplex;
 mod spatial;
 mod volume;
-mod walk;
 
 pub use combination::{Summands, summands};
 pub use convert::{Converted, Extras, Fates, canonical, convert, project, without_redundancy};

@@ -1,17 +1,20 @@
 //! Few extreme rays behind many normals: the primal-dual method.
 
 use super::cut::cut_within;
-use super::describe::{Simplex, Stop};
-use super::linear::{dot_sign, is_zero};
-use super::walk::Walk;
+use super::describe::Stop;
+use super::interior::interior_point;
+use super::linear::{dot_sign, positive_combination};
 use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::collections::HashMap;
 
-/// A search for the extreme rays of a pointed cone by the facets of those found so far.
+/// How many times more normals than rays there are where this is worth its effort.
+const FEWER: usize = 4;
+
+/// A search for the extreme rays of a pointed cone of full dimension by the facets of those found so far.
 ///
-/// A facet of the rays found is a facet of the cone, or some extreme ray lies beyond it, which a linear program finds. There
-/// are no more programs than extreme rays and dimensions. Where double description meets far more rays on its way than
-/// there are at the end, this meets only the facets of some of them.
+/// A facet of the rays found has one of the normals, or the points amid it are inside of the cone: then shots from there,
+/// each along the face that stopped the last, end at an extreme ray beyond it. Where double description
+/// meets far more rays on its way than there are at the end, this meets only the facets of some of them.
 ///
 /// # Source
 /// Bremner, Fukuda & Marzetta (1998), Primal-dual methods for vertex and facet enumeration.
@@ -19,93 +22,141 @@ pub(super) struct PrimalDual<'a, T> {
     normals: &'a Matrix<T>,
     /// Which normal a primitive row is.
     known: HashMap<Entries<T>, usize>,
-    walk: Option<Walk<'a, T>>,
+    inside: Entries<T>,
+    /// A basis of the directions along which the sum of the normals is constant.
+    level: Matrix<T>,
     rays: Matrix<T>,
 }
 
 impl<'a, T: Int> PrimalDual<'a, T> {
-    /// For the cone of `normals`, distinct and none of them zero; `start` is that of some of them.
+    /// For the cone of `normals`, distinct and none of them zero; `None` if it has no inside.
     ///
     /// # Errors
     /// [`Overflow`] if a primitive row does not fit `T`.
-    pub(super) fn new(normals: &'a Matrix<T>, start: &Simplex<T>) -> Result<Self, Overflow> {
+    pub(super) fn new(normals: &'a Matrix<T>) -> Result<Option<Self>, Overflow> {
+        let Some(inside) = interior_point(normals)? else { return Ok(None) };
+        let sum = positive_combination(normals.columns(), normals.rows())?;
+        let pivot = sum.iter().position(|entry| entry.sign().is_ne()).expect("negative inside of the cone");
+        let units = Matrix::identity(normals.columns());
+        let mut level = Matrix::new(normals.columns());
+        for axis in (0..normals.columns()).filter(|axis| *axis != pivot) {
+            let turned = T::wide_negated(&sum[axis].widen());
+            level.push_with(|out| T::combine(&sum[pivot].widen(), units.row(axis), &turned, units.row(pivot), out))?;
+        }
         let primitive = |row: &[T]| {
             let mut row: Entries<T> = row.iter().cloned().collect();
             T::make_primitive(&mut row);
             row
         };
         let known = normals.rows().enumerate().map(|(index, row)| (primitive(row), index)).collect();
-        let walk = Walk::new(normals, start)?;
-        let mut rays = Matrix::new(normals.columns());
-        walk.iter().for_each(|walk| rays.push(walk.ray()));
-        Ok(Self { normals, known, walk, rays })
+        let rays = Matrix::new(normals.columns());
+        Ok(Some(Self { normals, known, inside, level, rays }))
     }
 
-    /// Indices of the facets and the extreme rays, if `allowed` is effort enough and there are no more rays than normals.
+    /// Indices of the facets and the extreme rays, if `allowed` is effort enough and the rays are few.
     ///
     /// # Errors
-    /// [`Stop::Flat`] if the cone does not have full dimension, [`Stop::Overflow`] if a primitive row does not fit `T`.
+    /// [`Stop::Overflow`] if a primitive row does not fit `T`.
     pub(super) fn run(&mut self, mut allowed: u64) -> Result<Option<(Vec<usize>, Matrix<T>)>, Stop> {
-        let Some(walk) = &mut self.walk else { return Err(Stop::Flat(0)) };
-        while self.rays.len() <= self.normals.len() {
+        let cost = (self.normals.len() * self.level.len()) as u64;
+        while FEWER * self.rays.len() <= self.normals.len() {
             let polar = match cut_within(&self.rays, &mut allowed) {
                 Err(Stop::Effort) => return Ok(None),
                 polar => polar?,
             };
             let is_flat = !polar.lines.is_empty();
-            let mut objectives = polar.lines;
-            for index in 0..objectives.len() {
-                let opposite: Entries<T> = objectives.row(index).iter().map(T::negated).collect();
-                objectives.push(&opposite);
-            }
-            if !is_flat {
-                objectives = polar.rays;
+            let mut objectives = if is_flat { polar.lines } else { polar.rays };
+            for line in (0..objectives.len()).filter(|_| is_flat) {
+                if dot_sign(objectives.row(line), &self.inside)?.is_lt() {
+                    objectives.row_mut(line).iter_mut().for_each(|entry| *entry = entry.negated());
+                }
             }
             let n_before = self.rays.len();
             for objective in objectives.rows() {
-                if self.known.contains_key(objective) || is_beyond(&self.rays, n_before, objective)? {
+                let is_facet = !is_flat && self.known.contains_key(objective);
+                if is_facet || self.is_passed(objective, n_before)? {
                     continue;
                 }
-                let Some(left) = allowed.checked_sub(walk.cost()) else { return Ok(None) };
+                let Some(left) = allowed.checked_sub(cost) else { return Ok(None) };
                 allowed = left;
-                if walk.rise(objective)? {
-                    self.rays.push(walk.ray());
-                }
+                let origin = if is_flat { self.inside.clone() } else { self.amid(objective, n_before)? };
+                let ray = self.ray_beyond(objective, origin)?;
+                self.rays.push(&ray);
             }
             if self.rays.len() == n_before {
-                return if is_flat { Err(Stop::Flat(self.implied()?)) } else { self.answer(&objectives).map(Some) };
+                let facets = objectives.rows().map(|facet| self.known[facet]).collect();
+                return Ok(Some((facets, self.rays.clone())));
             }
         }
         Ok(None)
     }
 
-    fn answer(&self, facets: &Matrix<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> {
-        let facets = facets.rows().map(|facet| self.known.get(facet).copied());
-        let facets = facets.collect::<Option<Vec<_>>>().expect("a facet has the direction of one of the normals");
-        Ok((facets, self.rays.clone()))
-    }
-
-    /// A normal that all rays lie on, which span the cone but not the space.
-    fn implied(&self) -> Result<usize, Overflow> {
-        for (row, normal) in self.normals.rows().enumerate() {
-            let mut is_implied = true;
-            for ray in self.rays.rows() {
-                is_implied = is_implied && dot_sign(normal, ray)?.is_eq();
-            }
-            if is_implied && !is_zero(normal) {
-                return Ok(row);
+    /// Whether a ray found after the first `n_rays` is off the hyperplane of `normal` on its positive side.
+    fn is_passed(&self, normal: &[T], n_rays: usize) -> Result<bool, Overflow> {
+        for ray in n_rays..self.rays.len() {
+            if dot_sign(normal, self.rays.row(ray))?.is_gt() {
+                return Ok(true);
             }
         }
-        unreachable!("a cone that is flat lies in the hyperplane of one of its normals")
+        Ok(false)
     }
-}
 
-/// Whether one of the rays from `first` on is beyond a hyperplane.
-fn is_beyond<T: Int>(rays: &Matrix<T>, first: usize, normal: &[T]) -> Result<bool, Overflow> {
-    for ray in first..rays.len() {
-        if dot_sign(normal, rays.row(ray))?.is_gt() {
-            return Ok(true);
+    /// A point inside of the facet `normal` of the first `n_rays` rays.
+    fn amid(&self, normal: &[T], n_rays: usize) -> Result<Entries<T>, Overflow> {
+        let mut on_facet = Vec::new();
+        for ray in (0..n_rays).map(|ray| self.rays.row(ray)) {
+            if dot_sign(normal, ray)?.is_eq() {
+                on_facet.push(ray);
+            }
         }
+        positive_combination(normal.len(), on_facet)
     }
-    Ok(false)
+
+    /// The extreme ray that shots from a point inside of the cone end at, `objective` growing on the first and falling on
+    /// none.
+    fn ray_beyond(&self, objective: &[T], mut point: Entries<T>) -> Result<Entries<T>, Overflow> {
+        let mut directions = self.level.clone();
+        while !directions.is_empty() {
+            let mut rising = (directions.len() - 1, false);
+            for index in 0..directions.len() {
+                let growth = dot_sign(objective, directions.row(index))?;
+                if growth.is_ne() {
+                    rising = (index, growth.is_lt());
+                    break;
+                }
+            }
+            let mut shot = directions.swap_remove(rising.0);
+            if rising.1 {
+                shot.iter_mut().for_each(|entry| *entry = entry.negated());
+            }
+            let (normal, met) = self.first_met(&shot, &point)?;
+            point = met;
+            let slope = T::dot(normal, &shot)?;
+            let mut rest = Matrix::with_capacity(directions.columns(), directions.len());
+            for direction in directions.rows() {
+                let turned = T::wide_negated(&T::dot(normal, direction)?);
+                rest.push_with(|out| T::combine(&slope, direction, &turned, &shot, out))?;
+            }
+            directions = rest;
+        }
+        Ok(point)
+    }
+
+    /// The first normal that stops a shot, and where.
+    fn first_met(&self, shot: &[T], origin: &[T]) -> Result<(&'a [T], Entries<T>), Overflow> {
+        let mut first: Option<(&[T], Entries<T>)> = None;
+        for normal in self.normals.rows() {
+            let is_nearer = match &first {
+                Some((_, met)) => dot_sign(normal, met)?.is_gt(),
+                None => dot_sign(normal, shot)?.is_gt(),
+            };
+            if is_nearer {
+                let mut met = Entries::new();
+                let height = T::wide_negated(&T::dot(normal, origin)?);
+                T::combine(&T::dot(normal, shot)?, origin, &height, shot, &mut met)?;
+                first = Some((normal, met));
+            }
+        }
+        Ok(first.expect("no direction of the bounded section stays in the cone"))
+    }
 }
