@@ -2,7 +2,7 @@
 
 use super::bits::{BitRows, count, is_subset};
 use super::clip::clip;
-use super::describe::{Simplex, Stop, describe};
+use super::describe::{FacetsAndRays, Simplex, Stop, describe};
 use super::frame::Frame;
 use super::lattice::incidence;
 use super::linear::{Echelon, echelon, is_zero};
@@ -53,7 +53,7 @@ pub(super) fn cut_within<T: Int>(normals: &Matrix<T>, allowed: &mut u64) -> Resu
 }
 
 /// Finds the facets, by their indices, and the rays of a pointed cone of full dimension.
-type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> + 'a;
+type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<FacetsAndRays<T>, Stop> + 'a;
 
 fn cut<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>, method: &mut Method<T>) -> Result<Cut<T>, Stop> {
     let mut equalities = echelon(equalities)?;
@@ -125,7 +125,7 @@ const EASY: u64 = 1 << 18;
 ///
 /// The choice depends on counts alone, so that it is the same in every run. Between them the two take
 /// no more than about three times the effort of double description.
-fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<(Vec<usize>, Matrix<T>), Stop> {
+fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<FacetsAndRays<T>, Stop> {
     let may_have_few_rays = start.basis.len() > 3;
     let mut other: Option<Option<PrimalDual<T>>> = None;
     let mut answer = None;
@@ -153,7 +153,7 @@ fn by_description<T: Int>(
     start: Simplex<T>,
     allowed: u64,
     allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
-) -> Result<((Vec<usize>, Matrix<T>), u64), Stop> {
+) -> Result<(FacetsAndRays<T>, u64), Stop> {
     if start.basis.len() == 3 {
         let others = (0..normals.len()).filter(|row| !start.basis.contains(row));
         let rays = clip(start.rays, normals, others)?.map_err(Stop::Flat)?;

@@ -13,6 +13,9 @@ pub(super) struct Simplex<T> {
     pub(super) basis: Vec<usize>,
 }
 
+/// Facets of a cone, by the indices of their normals, and its extreme rays.
+pub(super) type FacetsAndRays<T> = (Vec<usize>, Matrix<T>);
+
 /// Extreme rays of a cone, and which of the normals that cut it they lie on.
 pub(super) struct Description<T> {
     pub(super) rays: Matrix<T>,

@@ -1,7 +1,7 @@
 //! Few extreme rays behind many normals: the primal-dual method.
 
 use super::cut::cut_within;
-use super::describe::Stop;
+use super::describe::{FacetsAndRays, Stop};
 use super::interior::interior_point;
 use super::linear::{dot_sign, positive_combination};
 use crate::exact::{Entries, Int, Matrix, Overflow};
@@ -57,7 +57,7 @@ impl<'a, T: Int> PrimalDual<'a, T> {
     ///
     /// # Errors
     /// [`Stop::Overflow`] if a primitive row does not fit `T`.
-    pub(super) fn run(&mut self, mut allowed: u64) -> Result<Option<(Vec<usize>, Matrix<T>)>, Stop> {
+    pub(super) fn run(&mut self, mut allowed: u64) -> Result<Option<FacetsAndRays<T>>, Stop> {
         let cost = (self.normals.len() * self.level.len()) as u64;
         while FEWER * self.rays.len() <= self.normals.len() {
             let polar = match cut_within(&self.rays, &mut allowed) {
