@@ -48,7 +48,7 @@ pub enum Stage {
 /// large is the margin of the plan that `plan insert` recommends for the proposed fixels, not the radius of the most
 /// robust wrench: a margin is of use only if one push or tilt can have it.
 ///
-/// Every way to choose edges is tried at a few places in floating point ([`Estimator`]); the most promising are planned
+/// Every way to choose edges is tried at a few places in floating point (`Estimator`); the most promising are planned
 /// for exactly and improved one fixel at a time in halving steps, in the order of their estimates, until no estimate is
 /// above the exact margins found. So every number reported is exact, but the places are those of a search: better ones
 /// may exist, and none found is no proof. The same input gives the same proposals.
