@@ -1,10 +1,11 @@
 //! The factors at which a set may become empty: roots of determinants of the rays that span its cones.
 
+use super::determinants::Determinants;
 use super::family::Family;
-use super::interval::{Determinants, Interval};
-use crate::exact::{Int as _, Polynomial, Q, Z};
+use crate::exact::{FloatInterval, Int as _, Minors as _, Polynomial, Q, Z};
 use crate::mechanics::Contact;
 use num_traits::{Signed as _, Zero as _};
+use std::cmp::Ordering;
 
 /// A ray `base + k slope` that spans cones of some modes, as a function of the factor `k`.
 struct Ray {
@@ -62,7 +63,7 @@ impl Rays {
         let near = self.determinants(low, high);
         let mut events = Vec::new();
         for triple in triples(self.0.len()) {
-            if near.at(triple).may_be_zero() {
+            if may_be_zero(near.at(triple)) {
                 events.push(self.determinant(triple));
             }
         }
@@ -72,7 +73,7 @@ impl Rays {
                 for (second, third) in disjoint_pairs(&planes[index + 1..], first) {
                     let ([a, b], [c, d], [e, f]) = (*first, second, third);
                     let value = near.at([a, c, d]) * near.at([b, e, f]) - near.at([b, c, d]) * near.at([a, e, f]);
-                    if value.may_be_zero() {
+                    if may_be_zero(value) {
                         let product = |first, second| &self.determinant(first) * &self.determinant(second);
                         events.push(&product([a, c, d], [b, e, f]) - &product([b, c, d], [a, e, f]));
                     }
@@ -83,11 +84,11 @@ impl Rays {
     }
 
     fn determinants(&self, low: &Q, high: &Q) -> Determinants {
-        let factor = Interval::between(low, high);
+        let factor = FloatInterval::between(low, high);
         let range = |ray: &Ray| {
             // a length about one keeps products of six within the doubles
             let bits = ray.base.iter().chain(&ray.slope).map(Z::bits).max().unwrap_or(0);
-            let entry = |value: &Z| Interval::of(&Q::new(value.clone(), Z::from(1) << bits));
+            let entry = |value: &Z| FloatInterval::of_rational(&Q::new(value.clone(), Z::from(1) << bits));
             [0, 1, 2].map(|axis| entry(&ray.base[axis]) + factor * entry(&ray.slope[axis]))
         };
         Determinants::of(self.0.iter().map(range).collect())
@@ -103,7 +104,7 @@ impl Rays {
         let at = |ray: &Ray| [0, 1, 2].map(|axis| &ray.base[axis] * factor.denom() + &ray.slope[axis] * factor.numer());
         let here: Vec<[Z; 3]> = self.0.iter().map(at).collect();
         let plane = |[a, b]: [usize; 2]| {
-            let mut row = cross(&here[a], &here[b]).to_vec();
+            let mut row = Z::minors(&here[a], &here[b]).to_vec();
             Z::make_primitive(&mut row);
             (row, [self.vector(a), self.vector(b)])
         };
@@ -126,6 +127,11 @@ impl Rays {
         let pairs = (0..n).flat_map(|first| (first + 1..n).map(move |second| [first, second]));
         pairs.filter(|pair| self.are_together(*pair)).collect()
     }
+}
+
+/// Whether zero is among the numbers meant; true for whatever overflowed.
+fn may_be_zero(value: FloatInterval) -> bool {
+    !value.sign().is_some_and(Ordering::is_ne)
 }
 
 /// The polynomials that are not constant, primitive, with a positive leading coefficient, and each once.
@@ -176,33 +182,22 @@ fn dual_basis(contacts: &[Contact]) -> Vec<[Z; 3]> {
         let mut unit = [Z::zero(), Z::zero(), Z::zero()];
         unit[axis] = Z::from(1);
         let is_new = match &normals[..] {
-            [a] => cross(a, &unit).iter().any(|entry| !entry.is_zero()),
-            [a, b] => dot(&cross(a, b), &unit) != Z::zero(),
+            [a] => Z::minors(a, &unit).iter().any(|entry| !entry.is_zero()),
+            [a, b] => !Z::determinant(a, b, &unit).is_zero(),
             _ => false,
         };
         if is_new {
             normals.push(unit);
         }
     }
-    (0..3).map(|index| cross(&normals[(index + 1) % 3], &normals[(index + 2) % 3])).collect()
+    (0..3).map(|index| Z::minors(&normals[(index + 1) % 3], &normals[(index + 2) % 3])).collect()
 }
 
 fn triple(row: &[Z]) -> [Z; 3] {
     [row[0].clone(), row[1].clone(), row[2].clone()]
 }
 
-fn cross(a: &[Z; 3], b: &[Z; 3]) -> [Z; 3] {
-    [0, 1, 2].map(|axis| {
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-        &a[next] * &b[last] - &a[last] * &b[next]
-    })
-}
-
-fn dot(a: &[Z; 3], b: &[Z; 3]) -> Z {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-fn triples(n: usize) -> impl Iterator<Item = [usize; 3]> {
+pub(super) fn triples(n: usize) -> impl Iterator<Item = [usize; 3]> {
     (0..n).flat_map(move |a| (a + 1..n).flat_map(move |b| (b + 1..n).map(move |c| [a, b, c])))
 }
 

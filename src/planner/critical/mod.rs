@@ -2,9 +2,9 @@
 
 mod change;
 mod collapse;
+mod determinants;
 mod events;
 mod family;
-mod interval;
 mod jam;
 mod limit;
 mod search;

@@ -86,30 +86,11 @@ fn single_out(condition: &impl Falling, low: &Q, high: &Q, events: &[Polynomial]
     while gone - held > 1 {
         let middle = usize::midpoint(held, gone);
         let last = if middle == 1 { Algebraic::from(low.clone()) } else { roots[middle - 2].clone() };
-        let between = separator(last, roots[middle - 1].clone());
+        let between = last.before(&roots[middle - 1]).expect("different roots in ascending order, above `low`");
         if condition.holds(&between) { (held, before) = (middle, between) } else { gone = middle }
     }
     let factor = if held == 0 { low.clone().into() } else { roots[held - 1].clone() };
     Loss { factor, before }
-}
-
-/// A short rational strictly between two numbers, the first of them less.
-fn separator(mut first: Algebraic, mut second: Algebraic) -> Q {
-    loop {
-        let ([_, low], [high, _]) = (first.bounds(), second.bounds());
-        if low < high {
-            return between(&low, &high);
-        }
-        if low == high && first < low && second > low {
-            return low;
-        }
-        for number in [&mut first, &mut second] {
-            let [low, high] = number.bounds();
-            if low < high {
-                number.refine(&((high - low) * ratio(1, 4)));
-            }
-        }
-    }
 }
 
 /// A short rational between two ends, by their logarithms where these are far apart.
