@@ -1,7 +1,7 @@
 //! The point of a closed cone nearest to a given point.
 
 use super::pair::Pair;
-use crate::exact::{Int, Overflow, Q};
+use crate::exact::{Int, Overflow, Q, dot};
 use num_traits::{Signed, Zero};
 
 /// The point of `cone` nearest to `point` in the norm |x|² = Σ weight_i x_i².
@@ -77,8 +77,4 @@ fn projection(vectors: &[&[Q]], weights: &[Q], point: &[Q]) -> Vec<Q> {
         foot.iter_mut().zip(*vector).for_each(|(sum, value)| *sum += &share * value);
     }
     foot
-}
-
-fn dot(a: &[Q], b: &[Q]) -> Q {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -1,6 +1,7 @@
 //! The rung of `i128` entries, whose products have 256 bits.
 
 use super::gcd::{gcd128, words_gcd};
+use super::int::machine_entries;
 use super::limbs::{Divisor, Limbs, trim};
 use super::quad::Quad;
 use super::{Entries, Int, Overflow, Z};
@@ -10,24 +11,7 @@ use std::cmp::Ordering;
 impl Int for i128 {
     type Wide = Quad;
 
-    fn from_z(value: &Z) -> Option<Self> {
-        Self::try_from(value).ok().filter(|v| *v != Self::MIN)
-    }
-    fn to_z(&self) -> Z {
-        Z::from(*self)
-    }
-    fn unit() -> Self {
-        1
-    }
-    fn sign(&self) -> Ordering {
-        self.cmp(&0)
-    }
-    fn negated(&self) -> Self {
-        -self
-    }
-    fn widen(&self) -> Quad {
-        Quad::from(*self)
-    }
+    machine_entries!();
     fn wide_sign(value: &Quad) -> Ordering {
         value.sign()
     }

@@ -100,27 +100,35 @@ pub trait Int: Minors + Clone + Ord + Hash + Debug + Default + Send + Sync + 'st
     fn make_primitive(row: &mut [Self]);
 }
 
+/// What the machine rungs share.
+macro_rules! machine_entries {
+    () => {
+        fn from_z(value: &Z) -> Option<Self> {
+            Self::try_from(value).ok().filter(|v| *v != Self::MIN)
+        }
+        fn to_z(&self) -> Z {
+            Z::from(*self)
+        }
+        fn unit() -> Self {
+            1
+        }
+        fn sign(&self) -> Ordering {
+            self.cmp(&0)
+        }
+        fn negated(&self) -> Self {
+            -self
+        }
+        fn widen(&self) -> Self::Wide {
+            Self::Wide::from(*self)
+        }
+    };
+}
+pub(super) use machine_entries;
+
 impl Int for i64 {
     type Wide = i128;
 
-    fn from_z(value: &Z) -> Option<Self> {
-        Self::try_from(value).ok().filter(|v| *v != Self::MIN)
-    }
-    fn to_z(&self) -> Z {
-        Z::from(*self)
-    }
-    fn unit() -> Self {
-        1
-    }
-    fn sign(&self) -> Ordering {
-        self.cmp(&0)
-    }
-    fn negated(&self) -> Self {
-        -self
-    }
-    fn widen(&self) -> i128 {
-        i128::from(*self)
-    }
+    machine_entries!();
     fn wide_sign(value: &i128) -> Ordering {
         value.cmp(&0)
     }

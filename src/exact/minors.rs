@@ -1,7 +1,8 @@
 //! Cross products and determinants of rows with three entries, exact on every rung whatever their size.
 
 use super::gcd::word_gcd;
-use super::wide::{Wide, primitive, sum_sign};
+use super::quad::Quad;
+use super::wide::{Term, sum_sign};
 use super::{Entries, Int, Overflow, Z};
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -108,10 +109,8 @@ impl Minors for i64 {
 }
 
 fn wide_side(row: &[i64; 3], minors: &[i128; 3]) -> Ordering {
-    side_in_192_bits(row, minors).unwrap_or_else(|| {
-        let terms = [0, 1, 2].map(|axis| (row[axis].into(), Wide::<2>::from(minors[axis])));
-        sum_sign::<2, 4>(terms)
-    })
+    side_in_192_bits(row, minors)
+        .unwrap_or_else(|| sum_sign::<2, 4>([0, 1, 2].map(|axis| Term::of(row[axis].into(), minors[axis]))))
 }
 
 /// The sign unless the sum is within a bit or two of what 192 bits hold.
@@ -138,16 +137,15 @@ fn divisor(x: u64, y: u64, z: u64) -> u64 {
 }
 
 impl Minors for i128 {
-    type Minor = Wide<4>;
+    type Minor = Quad;
 
-    fn minors(a: &[i128; 3], b: &[i128; 3]) -> [Wide<4>; 3] {
-        let minor = |i: usize, j: usize| Wide::product(a[i], b[j]).minus(&Wide::product(a[j], b[i]));
+    fn minors(a: &[i128; 3], b: &[i128; 3]) -> [Quad; 3] {
+        let minor = |i: usize, j: usize| Quad::combination(a[i], b[j], -a[j], b[i]);
         [minor(1, 2), minor(2, 0), minor(0, 1)]
     }
 
-    fn product(a: &[i128; 3], b: &[i128; 3]) -> Result<Wide<4>, Overflow> {
-        let product = |axis: usize| Wide::product(a[axis], b[axis]);
-        Ok(product(0).plus(&product(1)).plus(&product(2)))
+    fn product(a: &[i128; 3], b: &[i128; 3]) -> Result<Quad, Overflow> {
+        Self::dot(a, b)
     }
 
     fn determinant(a: &[i128; 3], b: &[i128; 3], c: &[i128; 3]) -> Z {
@@ -155,23 +153,25 @@ impl Minors for i128 {
         Z::determinant(&a, &b, &c)
     }
 
-    fn minor_sign(minor: &Wide<4>) -> Ordering {
+    fn minor_sign(minor: &Quad) -> Ordering {
         minor.sign()
     }
 
-    fn side(row: &[i128; 3], minors: &[Wide<4>; 3]) -> Ordering {
-        sum_sign::<4, 6>([0, 1, 2].map(|axis| (row[axis], minors[axis])))
+    fn side(row: &[i128; 3], minors: &[Quad; 3]) -> Ordering {
+        sum_sign::<4, 6>([0, 1, 2].map(|axis| Term::of_quad(row[axis], &minors[axis])))
     }
 
     fn side_of(a: &[i128; 3], b: &[i128; 3]) -> Ordering {
-        sum_sign::<2, 4>([0, 1, 2].map(|axis| (a[axis], Wide::from(b[axis]))))
+        sum_sign::<2, 4>([0, 1, 2].map(|axis| Term::of(a[axis], b[axis])))
     }
 
-    fn on_ray(minors: &[Wide<4>; 3]) -> Result<[i128; 3], Overflow> {
+    fn on_ray(minors: &[Quad; 3]) -> Result<[i128; 3], Overflow> {
         if let [Some(x), Some(y), Some(z)] = minors.map(|minor| minor.narrow()) {
             return Ok(Self::shortest([x, y, z]));
         }
-        primitive(minors).ok_or(Overflow)
+        let mut out = Entries::new();
+        Self::primitive(minors, &mut out)?;
+        Ok([out[0], out[1], out[2]])
     }
 
     fn shortest(mut row: [i128; 3]) -> [i128; 3] {

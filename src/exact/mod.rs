@@ -29,7 +29,7 @@ pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
 pub use matrix::{Entries, Matrix, on_rung, primitive_row};
 pub use minors::Minors;
 pub use polynomial::Polynomial;
-pub use rational::{approximate, fraction, from_float_exact, ratio, sum, to_f64};
+pub use rational::{approximate, dot, fraction, from_float_exact, ratio, sum, to_f64};
 
 /// Integers of any size.
 pub type Z = num_bigint::BigInt;

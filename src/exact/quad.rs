@@ -4,7 +4,7 @@ use super::Z;
 use std::cmp::Ordering;
 
 /// Two's complement; the least value does not occur.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Quad {
     high: i128,
     low: u128,

@@ -13,6 +13,12 @@ pub fn ratio(numerator: i64, denominator: i64) -> Q {
     Q::new(Z::from(numerator), Z::from(denominator))
 }
 
+/// `a · b`.
+#[must_use]
+pub fn dot(a: &[Q], b: &[Q]) -> Q {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
 /// The nearest double, for pictures and decimal views only; huge values saturate.
 #[must_use]
 pub fn to_f64(value: &Q) -> f64 {

@@ -62,6 +62,6 @@ pub(super) fn normalized(v: [f64; 3]) -> [f64; 3] {
     if length > 0.0 { v.map(|value| value / length) } else { v }
 }
 
-pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+pub(in crate::planner) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

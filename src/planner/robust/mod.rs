@@ -4,6 +4,8 @@ mod frame;
 mod hole;
 mod search;
 
+pub(super) use frame::dot;
+
 use super::recommend::Margins;
 use crate::answer::Robust;
 use crate::cone::{Cone, nearest};

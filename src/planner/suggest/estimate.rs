@@ -1,5 +1,6 @@
 //! The margin of a plan in floating point: proposes what is worth planning exactly, decides nothing.
 
+use super::super::robust::dot;
 use crate::exact::{Q, to_f64};
 use crate::geometry::Polygon;
 use crate::model::{Fixture, Part};
@@ -219,10 +220,6 @@ fn facets(generators: &[Vector]) -> Vec<Vector> {
         }
     }
     facets
-}
-
-fn dot(a: &Vector, b: &Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn cross(a: &Vector, b: &Vector) -> Vector {

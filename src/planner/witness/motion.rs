@@ -2,7 +2,7 @@
 
 use crate::answer::{ContactMotion, Motion};
 use crate::cone::{HalfSpaces, summands};
-use crate::exact::{Int, Matrix, Overflow, Q};
+use crate::exact::{Int, Matrix, Overflow, Q, dot};
 use crate::mechanics::{ContactRows, Frame, Interaction, Mode, acceleration_system};
 use crate::model::Part;
 use num_traits::{Signed as _, Zero as _};
@@ -91,8 +91,4 @@ fn friction(frame: &Frame, interaction: Interaction, force: &[Q; 2]) -> Option<Q
         Interaction::Roll | Interaction::Maintain => needed.max(frame.friction.static_.min.clone()),
         _ => needed,
     })
-}
-
-fn dot(a: &[Q; 3], b: &[Q; 3]) -> Q {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
