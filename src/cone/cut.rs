@@ -5,7 +5,7 @@ use super::clip::clip;
 use super::describe::{FacetsAndRays, Simplex, Stop, describe};
 use super::frame::Frame;
 use super::lattice::incidence;
-use super::linear::{Echelon, echelon, is_zero};
+use super::linear::{Echelon, echelon, is_zero, negate};
 use super::primal_dual::PrimalDual;
 use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::cmp::Ordering;
@@ -21,10 +21,10 @@ pub(super) struct Cut<T> {
 /// Cuts the space by all equalities and normals.
 ///
 /// Equalities and lines are taken out first, which leaves a pointed cone of full dimension `r` in coordinates of its own
-/// ([`Frame`]). Normals cut it in lexicographic order of their magnitudes, whatever their
-/// order in the input. The first `r` independent ones
-/// make a simplicial cone. For `r = 3` its rays form a cycle that each further normal clips, without any adjacency test;
-/// otherwise two rays are adjacent iff no third lies on all normals that both lie on.
+/// ([`Frame`]). Normals cut it in lexicographic order of their magnitudes, whatever their order in the input. The first
+/// `r` independent ones make a simplicial cone. For `r = 3` its rays form a cycle that each further normal clips, without
+/// any adjacency test; otherwise two rays are adjacent iff no third lies on all normals that both lie on. Where that takes
+/// long, few rays behind many normals are found by the primal-dual method.
 ///
 /// # Cost
 /// `r = 3`: O(m k) for m normals and k rays. Otherwise O(m k³) words in the worst case, O(m k²) when few pairs survive
@@ -207,7 +207,7 @@ pub(super) fn absorb_lines<T: Int>(normals: &Matrix<T>) -> Result<Start<T>, Over
 
 /// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
 /// side `normal · x < 0`; `None` if all lines are on the hyperplane.
-fn absorb<T: Int>(
+pub(super) fn absorb<T: Int>(
     lines: &mut Matrix<T>,
     normal: &[T],
     scratch: &mut Entries<T>,
@@ -219,7 +219,7 @@ fn absorb<T: Int>(
         }
         let mut inside = lines.swap_remove(index);
         if side.is_gt() {
-            inside.iter_mut().for_each(|value| *value = value.negated());
+            negate(&mut inside);
         }
         flatten(lines, &inside, normal, scratch)?;
         return Ok(Some(inside));
@@ -228,7 +228,12 @@ fn absorb<T: Int>(
 }
 
 /// Moves each row along the line `inside` onto the hyperplane of `normal`.
-fn flatten<T: Int>(rows: &mut Matrix<T>, inside: &[T], normal: &[T], scratch: &mut Entries<T>) -> Result<(), Overflow> {
+pub(super) fn flatten<T: Int>(
+    rows: &mut Matrix<T>,
+    inside: &[T],
+    normal: &[T],
+    scratch: &mut Entries<T>,
+) -> Result<(), Overflow> {
     let depth = T::wide_negated(&T::dot(normal, inside)?);
     for index in 0..rows.len() {
         let product = T::dot(normal, rows.row(index))?;

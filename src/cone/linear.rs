@@ -23,7 +23,7 @@ pub(super) fn echelon<T: Int>(rows: &Matrix<T>) -> Result<Echelon<T>, Overflow> 
         let Some(found) = (rank..work.len()).find(|row| work[*row][column].sign().is_ne()) else { continue };
         work.swap(rank, found);
         if work[rank][column].sign().is_lt() {
-            work[rank].iter_mut().for_each(|value| *value = value.negated());
+            negate(&mut work[rank]);
         }
         T::make_primitive(&mut work[rank]);
         let pivot_row = work[rank].clone();
@@ -61,6 +61,11 @@ fn eliminated<T: Int>(row: &[T], pivot_row: &[T], column: usize) -> Result<Entri
     let mut out = Entries::new();
     T::combine(&pivot_row[column].widen(), row, &row[column].negated().widen(), pivot_row, &mut out)?;
     Ok(out)
+}
+
+/// Turns `row` around.
+pub(super) fn negate<T: Int>(row: &mut [T]) {
+    row.iter_mut().for_each(|value| *value = value.negated());
 }
 
 pub(super) fn is_zero<T: Int>(row: &[T]) -> bool {

@@ -1,10 +1,11 @@
 //! Few extreme rays behind many normals: the primal-dual method.
 
-use super::cut::cut_within;
+use super::cut::{absorb, cut_within, flatten};
 use super::describe::{FacetsAndRays, Stop};
 use super::interior::interior_point;
-use super::linear::{dot_sign, positive_combination};
+use super::linear::{dot_sign, negate, positive_combination};
 use crate::exact::{Entries, Int, Matrix, Overflow};
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 /// How many times more normals than rays there are where this is worth its effort.
@@ -35,14 +36,8 @@ impl<'a, T: Int> PrimalDual<'a, T> {
     /// [`Overflow`] if a primitive row does not fit `T`.
     pub(super) fn new(normals: &'a Matrix<T>) -> Result<Option<Self>, Overflow> {
         let Some(inside) = interior_point(normals)? else { return Ok(None) };
-        let sum = positive_combination(normals.columns(), normals.rows())?;
-        let pivot = sum.iter().position(|entry| entry.sign().is_ne()).expect("negative inside of the cone");
-        let units = Matrix::identity(normals.columns());
-        let mut level = Matrix::new(normals.columns());
-        for axis in (0..normals.columns()).filter(|axis| *axis != pivot) {
-            let turned = T::wide_negated(&sum[axis].widen());
-            level.push_with(|out| T::combine(&sum[pivot].widen(), units.row(axis), &turned, units.row(pivot), out))?;
-        }
+        let mut level = Matrix::identity(normals.columns());
+        absorb(&mut level, &positive_combination(normals.columns(), normals.rows())?, &mut Entries::new())?;
         let primitive = |row: &[T]| {
             let mut row: Entries<T> = row.iter().cloned().collect();
             T::make_primitive(&mut row);
@@ -68,7 +63,7 @@ impl<'a, T: Int> PrimalDual<'a, T> {
             let mut objectives = if is_flat { polar.lines } else { polar.rays };
             for line in (0..objectives.len()).filter(|_| is_flat) {
                 if dot_sign(objectives.row(line), &self.inside)?.is_lt() {
-                    objectives.row_mut(line).iter_mut().for_each(|entry| *entry = entry.negated());
+                    negate(objectives.row_mut(line));
                 }
             }
             let n_before = self.rays.len();
@@ -116,28 +111,21 @@ impl<'a, T: Int> PrimalDual<'a, T> {
     /// none.
     fn ray_beyond(&self, objective: &[T], mut point: Entries<T>) -> Result<Entries<T>, Overflow> {
         let mut directions = self.level.clone();
+        let mut scratch = Entries::new();
         while !directions.is_empty() {
-            let mut rising = (directions.len() - 1, false);
-            for index in 0..directions.len() {
-                let growth = dot_sign(objective, directions.row(index))?;
-                if growth.is_ne() {
-                    rising = (index, growth.is_lt());
-                    break;
-                }
+            let (mut chosen, mut growth) = (directions.len(), Ordering::Equal);
+            while growth.is_eq() && chosen > 0 {
+                chosen -= 1;
+                growth = dot_sign(objective, directions.row(chosen))?;
             }
-            let mut shot = directions.swap_remove(rising.0);
-            if rising.1 {
-                shot.iter_mut().for_each(|entry| *entry = entry.negated());
+            let mut shot = directions.swap_remove(chosen);
+            if growth.is_lt() {
+                negate(&mut shot);
             }
             let (normal, met) = self.first_met(&shot, &point)?;
             point = met;
-            let slope = T::dot(normal, &shot)?;
-            let mut rest = Matrix::with_capacity(directions.columns(), directions.len());
-            for direction in directions.rows() {
-                let turned = T::wide_negated(&T::dot(normal, direction)?);
-                rest.push_with(|out| T::combine(&slope, direction, &turned, &shot, out))?;
-            }
-            directions = rest;
+            negate(&mut shot);
+            flatten(&mut directions, &shot, normal, &mut scratch)?;
         }
         Ok(point)
     }
