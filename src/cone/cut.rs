@@ -1,12 +1,11 @@
 //! Both forms of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
 use super::bits::{BitRows, count, is_subset};
-use super::clip::clip;
 use super::describe::{FacetsAndRays, Simplex, Stop, describe};
 use super::frame::Frame;
-use super::lattice::incidence;
 use super::linear::{Echelon, echelon, is_zero, negate};
 use super::primal_dual::PrimalDual;
+use super::spatial::facets_and_rays;
 use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
@@ -155,9 +154,7 @@ fn by_description<T: Int>(
     allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
 ) -> Result<(FacetsAndRays<T>, u64), Stop> {
     if start.basis.len() == 3 {
-        let others = (0..normals.len()).filter(|row| !start.basis.contains(row));
-        let rays = clip(start.rays, normals, others)?.map_err(Stop::Flat)?;
-        return Ok(((facets(&incidence(normals, &rays)?, rays.len()), rays), 0));
+        return Ok((facets_and_rays(normals)?.map_err(Stop::Flat)?, 0));
     }
     let found = describe(start, normals, allowed, allow)?;
     let facets = facets(&found.on.transposed(found.cuts.len()), found.rays.len());

@@ -10,7 +10,6 @@ pub mod format;
 
 mod adjacent;
 mod bits;
-mod clip;
 mod combination;
 mod convert;
 mod cut;

@@ -34,13 +34,7 @@ impl<T: Int> Shape<T> {
     pub(in crate::cone) fn generators(self, normals: &Matrix<T>, ring: &Ring<T>) -> Result<Generators<T>, Overflow> {
         let (lines, rays) = (Matrix::new(3), Matrix::new(3));
         Ok(match self {
-            Self::Pointed => {
-                let mut rays = Matrix::with_capacity(3, ring.rays.len());
-                for ray in &ring.rays {
-                    rays.push(&T::on_ray(ray)?);
-                }
-                Generators { lines, rays }
-            }
+            Self::Pointed => Generators { lines, rays: ring.primitive_rays()? },
             Self::Angle { rays, .. } => Generators { lines, rays: Matrix::from_rows(3, rays) },
             Self::Line(line) => Generators { lines: Matrix::from_rows(3, [line]), rays },
             Self::Ray(ray) => Generators { lines, rays: Matrix::from_rows(3, [ray]) },

@@ -8,6 +8,7 @@ mod forms;
 mod missing;
 mod ring;
 
+use super::describe::FacetsAndRays;
 use crate::exact::{Int, Matrix, Overflow};
 use fan::Fan;
 pub(super) use missing::{Part, is_small, masks, maximal_missing};
@@ -153,6 +154,21 @@ fn cut_line<T: Int>(line: &Row<T>, normals: &Matrix<T>) -> Shape<T> {
         (false, true) => Shape::Ray(line.clone()),
         (false, false) => Shape::Line(line.clone()),
     }
+}
+
+/// Indices of the facets, and the rays, of the pointed cone of normals of full rank, none of them zero; `Err` is a normal
+/// that vanishes on it.
+///
+/// # Errors
+/// [`Overflow`] if a primitive ray does not fit `T`.
+pub(super) fn facets_and_rays<T: Int>(normals: &Matrix<T>) -> Result<Result<FacetsAndRays<T>, usize>, Overflow> {
+    let mut ring = Ring::new();
+    Ok(match cut_space(normals, &mut ring)? {
+        Err(implied) => Err(implied),
+        Ok(Shape::Pointed) => Ok((ring.facets.to_vec(), ring.primitive_rays()?)),
+        // of full rank they leave nothing else but the apex, on which all of them vanish
+        Ok(_) => Err(0),
+    })
 }
 
 /// A row of a matrix with three columns.

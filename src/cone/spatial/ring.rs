@@ -1,7 +1,7 @@
 //! Pointed cones of full dimension: facets and rays in cyclic order, clipped by one half-space after the other.
 
 use super::{Row, row};
-use crate::exact::{Int, Matrix};
+use crate::exact::{Int, Matrix, Overflow};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -23,6 +23,18 @@ pub(super) enum Left {
 impl<T: Int> Ring<T> {
     pub(in crate::cone) fn new() -> Self {
         Self { facets: SmallVec::new(), rays: SmallVec::new() }
+    }
+
+    /// The rays, primitive.
+    ///
+    /// # Errors
+    /// [`Overflow`] if one does not fit `T`.
+    pub(super) fn primitive_rays(&self) -> Result<Matrix<T>, Overflow> {
+        let mut rays = Matrix::with_capacity(3, self.rays.len());
+        for ray in &self.rays {
+            rays.push(&T::on_ray(ray)?);
+        }
+        Ok(rays)
     }
 
     /// Becomes the cone of all `normals`, started from three with a negative determinant; `Err` is a normal that vanishes
