@@ -54,11 +54,11 @@ pub(super) fn proposal(proposal: &Proposal) -> String {
     edges.sort_unstable();
     let fixels = match edges.as_slice() {
         [edge] => format!("the fixel on edge {edge}"),
-        [first @ .., last] => {
-            let first = first.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
-            format!("the fixels on edges {first} and {last}")
-        }
         [] => "no fixels".to_owned(),
+        several => {
+            let several: Vec<String> = several.iter().map(usize::to_string).collect();
+            format!("the fixels on edges {}", joined(&several, "and"))
+        }
     };
     let action = match &proposal.plan.action {
         Action::PushEdge { edge, .. } => format!("push on edge {edge}"),
@@ -192,5 +192,14 @@ fn arc_from(arc: Option<&Arc>, word: &str) -> String {
             format!("{word} any direction but {} deg", near(decimal::angle(&arc.from), 5))
         }
         Span::Between(low, high) => format!("{word} {low} to {high} deg"),
+    }
+}
+
+/// `a`, `a and b`, `a, b and c`, or with another conjunction.
+pub(super) fn joined(words: &[String], conjunction: &str) -> String {
+    match words {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
     }
 }

@@ -1,7 +1,7 @@
 //! Summands of points of a sum of cones, against their definition and exact linear programs.
 
 use super::draw::{face_points, matrix, rows, runs, system, vector};
-use super::naive::rationals;
+use super::naive::{rational, rationals};
 use super::support::dot;
 use super::support::lp::{Program, Relation};
 use num_traits::{Signed, Zero};
@@ -9,10 +9,6 @@ use partplan::cone::{Cone, HalfSpaces, summands};
 use partplan::exact::{Matrix, Q, Z, ratio};
 use proptest::collection::vec;
 use proptest::prelude::*;
-
-fn integers(row: &[i64]) -> Vec<Q> {
-    row.iter().map(|value| ratio(*value, 1)).collect()
-}
 
 proptest! {
     #![proptest_config(runs(150))]
@@ -27,7 +23,7 @@ proptest! {
         let sum = Cone::from_half_spaces_plus(&half_spaces, &matrix(system.dim, &rays)).unwrap();
         let on_faces = sum.as_ref().map(|sum| face_points(sum.closure())).unwrap_or_default();
         let whole = |point: Vec<Z>| point.into_iter().map(Q::from_integer).collect::<Vec<Q>>();
-        for point in on_faces.into_iter().map(whole).chain(drawn.iter().map(|row| integers(row))) {
+        for point in on_faces.into_iter().map(whole).chain(drawn.iter().map(|row| rational(row))) {
             let mut program = Program::new(system.dim, rays.len());
             for axis in 0..system.dim {
                 let unit = (0..system.dim).map(|other| ratio(i64::from(other == axis), 1));
@@ -70,7 +66,7 @@ fn degenerate_columns_do_not_make_the_method_cycle() {
         (0..4).map(|k| vec![a[k].clone(), b[k].clone(), ratio(i64::from(k == 2), 1)]).collect();
     columns.extend((0..3).map(|slack| (0..3).map(|axis| ratio(i64::from(axis == slack), 1)).collect()));
     let nothing = HalfSpaces::<i64> { equalities: Matrix::identity(3), ..HalfSpaces::none(3) };
-    let point = integers(&[0, 0, 1]);
+    let point = rational(&[0, 0, 1]);
     let found = summands(&nothing, &columns, &point).unwrap().expect("the slack columns hold the point");
     for axis in 0..3 {
         let sum: Q = found.weights.iter().zip(&columns).map(|(weight, column)| weight * &column[axis]).sum();
@@ -82,7 +78,7 @@ fn degenerate_columns_do_not_make_the_method_cycle() {
 #[test]
 fn few_rays_contribute() {
     let nothing = HalfSpaces::<i64> { equalities: Matrix::identity(2), ..HalfSpaces::none(2) };
-    let fan: Vec<Vec<Q>> = (-4..=4).map(|x| integers(&[x, 5])).collect();
-    let found = summands(&nothing, &fan, &integers(&[1, 7])).unwrap().expect("the fan holds the point");
+    let fan: Vec<Vec<Q>> = (-4..=4).map(|x| rational(&[x, 5])).collect();
+    let found = summands(&nothing, &fan, &rational(&[1, 7])).unwrap().expect("the fan holds the point");
     assert!(found.weights.iter().filter(|weight| weight.is_positive()).count() <= 2);
 }

@@ -1,6 +1,6 @@
 //! Whether a cell of wrenches keeps an interior as its sides move with the factor.
 
-use super::events::{Planes, Vector, cross_product, inner_product};
+use super::events::{Planes, Vector, cross_product, inner_product, triples};
 use crate::exact::{Algebraic, Polynomial, Z};
 use std::cmp::Ordering;
 
@@ -15,9 +15,8 @@ pub(super) fn lasts(cell: &[Vec<Z>], planes: &Planes, factor: &Algebraic) -> boo
     let at = At(factor);
     let n = sides.len();
     let mut pairs = (0..n).flat_map(|a| (a + 1..n).map(move |b| [a, b]));
-    let mut threes = (0..n).flat_map(|a| (a + 1..n).flat_map(move |b| (b + 1..n).map(move |c| [a, b, c])));
     !pairs.any(|[a, b]| at.are_opposite(&sides[a], &sides[b]))
-        && !threes.any(|[a, b, c]| at.surround_zero(&sides[a], &sides[b], &sides[c]))
+        && !triples(n).any(|[a, b, c]| at.surround_zero(&sides[a], &sides[b], &sides[c]))
 }
 
 /// Signs at one factor.

@@ -4,7 +4,7 @@ use super::super::sets::{are_independent, contacts_on_rung, transition_cones};
 use super::super::transitions::Transitions;
 use crate::cone::{Cone, Outside, complement};
 use crate::exact::{Int, Ladder, Overflow, Q, Rung, Z, climb, on_rung};
-use crate::mechanics::{Contact, FrictionEdges};
+use crate::mechanics::{Contact, ContactRows, FrictionEdges};
 use crate::model::{Fixture, Part};
 use std::cell::Cell;
 
@@ -97,8 +97,7 @@ impl Ladder for IsPossible {
         let contacts = contacts_on_rung::<T>(&self.contacts)?;
         match self.set {
             Set::Goal => {
-                let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
-                let mut pieces = Outside::of(3, &holes)?;
+                let mut pieces = Outside::of(3, &goal_holes(&contacts)?)?;
                 while let Some(piece) = pieces.next_piece()? {
                     if piece.closure().dim() >= self.least_dim {
                         return Ok(true);
@@ -118,6 +117,10 @@ impl Ladder for IsPossible {
             }
         }
     }
+}
+
+fn goal_holes<T: Int>(contacts: &[ContactRows<T>]) -> Result<Vec<Cone<T>>, Overflow> {
+    Ok(transition_cones(contacts)?.into_iter().map(|(_, cone)| cone).collect())
 }
 
 struct HoldsAcyclic<'a> {
@@ -144,10 +147,7 @@ impl Ladder for Cells {
     fn run<T: Int>(&self) -> Result<Self::Output, Overflow> {
         let contacts = contacts_on_rung::<T>(&self.contacts)?;
         let cells = match self.set {
-            Set::Goal => {
-                let holes: Vec<Cone<T>> = transition_cones(&contacts)?.into_iter().map(|(_, cone)| cone).collect();
-                complement(3, &holes)?
-            }
+            Set::Goal => complement(3, &goal_holes(&contacts)?)?,
             Set::Acyclic => {
                 let transitions = Transitions::of(&contacts)?;
                 transitions.verdict(complement(3, &transitions.loops)?)?.acyclic

@@ -1,6 +1,7 @@
 //! Critical friction in words.
 
 use super::super::decimal::percent_up_to;
+use super::super::phrase;
 use crate::answer::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 
 /// How much friction the plan bears, and how much any wrench does; `None` without a plan.
@@ -27,10 +28,8 @@ pub(super) fn change(change: &NearestChange) -> Option<String> {
         let single = change.single.iter().map(|(fixel, end)| format!(", or {} of fixel {fixel}'s alone", share(end)));
         return Some(format!("at most {} of the friction given{}", share(all), single.collect::<String>()));
     }
-    let (last, others) = change.without.split_last()?;
-    let others: Vec<String> = others.iter().map(usize::to_string).collect();
-    let list = if others.is_empty() { last.to_string() } else { format!("{} or {last}", others.join(", ")) };
-    Some(format!("leave out fixel {list}"))
+    let fixels: Vec<String> = change.without.iter().map(usize::to_string).collect();
+    (!fixels.is_empty()).then(|| format!("leave out fixel {}", phrase::joined(&fixels, "or")))
 }
 
 fn share(end: &CriticalFactor) -> String {

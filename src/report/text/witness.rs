@@ -1,5 +1,6 @@
 //! Why a wrench does not seat or hold the part, in plain words.
 
+use super::super::phrase;
 use crate::answer::{Motion, Step, WrenchVerdict};
 
 /// Fixels and modes named in full up to this many.
@@ -51,7 +52,7 @@ fn moving(motion: &Motion, consistent: &[Motion]) -> String {
             format!("{act} {}", fixels(&on.collect::<Vec<_>>()))
         })
         .collect();
-    let parts = joined(&parts);
+    let parts = phrase::joined(&parts, "and");
     let modes: Vec<&str> = consistent.iter().map(|motion| motion.mode.as_str()).collect();
     match modes.as_slice() {
         [only] => format!("seated, it must {parts} ({only})"),
@@ -78,14 +79,5 @@ fn fixels(numbers: &[usize]) -> String {
     if shown < numbers.len() {
         names.push(format!("{} more", numbers.len() - shown));
     }
-    format!("{noun} {}", joined(&names))
-}
-
-/// `a`, `a and b`, `a, b and c`.
-fn joined(words: &[String]) -> String {
-    match words {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
+    format!("{noun} {}", phrase::joined(&names, "and"))
 }
