@@ -6,7 +6,7 @@
 use divan::{Bencher, black_box};
 use partplan::cone::Pair;
 use partplan::cone::format::read;
-use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row, ratio, to_f64};
+use partplan::exact::{Int, Ladder, Long, Matrix, Overflow, Q, Rung, Z, climb, primitive_row, ratio, to_f64};
 use partplan::geometry::Polygon;
 use partplan::mechanics::{Contact, ContactRows, Interaction, Mode, feasible_modes, mode_cone};
 use partplan::model::{Fixel, Fixture, Friction, LengthUnit, Part, Place, Range, Shape};
@@ -94,7 +94,7 @@ struct ModeCone {
     mode: Vec<Interaction>,
     word: Option<Vec<ContactRows<i64>>>,
     double: Option<Vec<ContactRows<i128>>>,
-    big: Option<Vec<ContactRows<Z>>>,
+    big: Option<Vec<ContactRows<Long>>>,
 }
 
 impl ModeCone {

@@ -3,7 +3,7 @@
 use num_traits::Zero as _;
 use partplan::cone::format::read;
 use partplan::cone::{Extras, Pair, Polyhedron, Representation, convert};
-use partplan::exact::{Int, Ladder, Matrix, Overflow, Q, Rung, Z, climb, primitive_row};
+use partplan::exact::{Int, Ladder, Long, Matrix, Overflow, Q, Rung, Z, climb, primitive_row};
 use std::any::Any;
 use std::fs;
 use std::hint::black_box;
@@ -138,7 +138,7 @@ type Rows<T> = (Matrix<T>, Matrix<T>);
 struct Normals {
     word: Option<Rows<i64>>,
     double: Option<Rows<i128>>,
-    big: Option<Rows<Z>>,
+    big: Option<Rows<Long>>,
 }
 
 impl Normals {

@@ -1,11 +1,11 @@
 //! Both forms of `{x : E x = 0, H x ≤ 0}` by cutting one half-space after the other (double description).
 
-use super::bits::{BitRows, count, is_subset};
-use super::describe::{FacetsAndRays, Simplex, Stop, describe};
+use super::describe::{Faces, Simplex, Stop, describe};
 use super::frame::Frame;
+use super::lattice::flat_and_facets;
 use super::linear::{Echelon, echelon, is_zero, negate};
 use super::primal_dual::PrimalDual;
-use super::spatial::facets_and_rays;
+use super::spatial::faces;
 use crate::exact::{Entries, Int, Matrix, Overflow};
 use std::cmp::Ordering;
 
@@ -35,7 +35,7 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
     match cut(equalities, normals, &mut by_either) {
         Ok(cut) => Ok(cut),
         Err(Stop::Overflow) => Err(Overflow),
-        Err(Stop::Flat(_) | Stop::Effort) => unreachable!("flat cones are cut again, and effort is not limited"),
+        Err(Stop::Effort) => unreachable!("effort is not limited"),
     }
 }
 
@@ -51,25 +51,21 @@ pub(super) fn cut_within<T: Int>(normals: &Matrix<T>, allowed: &mut u64) -> Resu
     })
 }
 
-/// Finds the facets, by their indices, and the rays of a pointed cone of full dimension.
-type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<FacetsAndRays<T>, Stop> + 'a;
+/// Finds the faces of a pointed cone of normals of full rank.
+type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<Faces<T>, Stop> + 'a;
 
 fn cut<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>, method: &mut Method<T>) -> Result<Cut<T>, Stop> {
     let mut equalities = echelon(equalities)?;
-    loop {
-        let rows = distinct(&equalities, normals)?;
-        match attempt(&equalities, &rows, method) {
-            Ok((lines, facets, rays)) => {
-                let facets = Matrix::from_rows(rows.columns(), facets.into_iter().map(|row| rows.row(row)));
-                return Ok(Cut { equalities: equalities.rows, facets, lines, rays });
-            }
-            Err(stop @ (Stop::Overflow | Stop::Effort)) => return Err(stop),
-            Err(Stop::Flat(flat)) => {
-                equalities.rows.push(rows.row(flat));
-                equalities = echelon(&equalities.rows)?;
-            }
-        }
+    let normals = distinct(&equalities, normals)?;
+    let (lines, Faces { flat, facets, rays }) = lines_and_faces(&equalities, &normals, method)?;
+    let chosen = |rows: Vec<usize>| Matrix::from_rows(normals.columns(), rows.into_iter().map(|row| normals.row(row)));
+    let mut facets = chosen(facets);
+    if !flat.is_empty() {
+        equalities.rows.append(&chosen(flat));
+        equalities = echelon(&equalities.rows)?;
+        equalities.reduce_all(&mut facets)?;
     }
+    Ok(Cut { equalities: equalities.rows, facets, lines, rays })
 }
 
 /// The normals modulo the equalities in lexicographic order of their magnitudes; zero rows and repetitions are left out.
@@ -94,27 +90,28 @@ fn by_magnitude<T: Int>(a: &T, b: &T) -> Ordering {
     }
 }
 
-/// Lines, indices of the facets and rays.
-type Parts<T> = (Matrix<T>, Vec<usize>, Matrix<T>);
-
-/// [`Stop::Flat`] if the cone turns out to lie in a hyperplane: the caller starts again with an equality.
-fn attempt<T: Int>(equalities: &Echelon<T>, rows: &Matrix<T>, method: &mut Method<T>) -> Result<Parts<T>, Stop> {
+fn lines_and_faces<T: Int>(
+    equalities: &Echelon<T>,
+    rows: &Matrix<T>,
+    method: &mut Method<T>,
+) -> Result<(Matrix<T>, Faces<T>), Stop> {
     let outer = Frame::without_pivots(equalities);
     let normals = outer.restricted(rows);
     let Start { lines, mut rays, basis } = absorb_lines(&normals)?;
     if lines.is_empty() {
-        let (facets, rays) = method(&normals, Simplex { rays, basis })?;
-        return Ok((Matrix::new(rows.columns()), facets, outer.lifted(&rays)?));
+        let mut faces = method(&normals, Simplex { rays, basis })?;
+        faces.rays = outer.lifted(&faces.rays)?;
+        return Ok((Matrix::new(rows.columns()), faces));
     }
     let lines = echelon(&lines)?;
     let inner = Frame::without_pivots(&lines);
     lines.reduce_all(&mut rays)?;
     let start = Simplex { rays: inner.restricted(&rays), basis };
-    let (facets, rays) = method(&inner.restricted(&normals), start)?;
+    let mut faces = method(&inner.restricted(&normals), start)?;
     let lines = echelon(&outer.lifted(&lines.rows)?)?;
-    let mut rays = outer.lifted(&inner.padded(&rays))?;
-    lines.reduce_all(&mut rays)?;
-    Ok((lines.rows, facets, rays))
+    faces.rays = outer.lifted(&inner.padded(&faces.rays))?;
+    lines.reduce_all(&mut faces.rays)?;
+    Ok((lines.rows, faces))
 }
 
 /// Effort after which the primal-dual method is tried as well, each time for as much as double description has taken.
@@ -124,7 +121,7 @@ const EASY: u64 = 1 << 18;
 ///
 /// The choice depends on counts alone, so that it is the same in every run. Between them the two take
 /// no more than about three times the effort of double description.
-fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<FacetsAndRays<T>, Stop> {
+fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<Faces<T>, Stop> {
     let may_have_few_rays = start.basis.len() > 3;
     let mut other: Option<Option<PrimalDual<T>>> = None;
     let mut answer = None;
@@ -152,27 +149,14 @@ fn by_description<T: Int>(
     start: Simplex<T>,
     allowed: u64,
     allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
-) -> Result<(FacetsAndRays<T>, u64), Stop> {
+) -> Result<(Faces<T>, u64), Stop> {
     if start.basis.len() == 3 {
-        return Ok((facets_and_rays(normals)?.map_err(Stop::Flat)?, 0));
+        return Ok((faces(normals)?, 0));
     }
     let found = describe(start, normals, allowed, allow)?;
-    let facets = facets(&found.on.transposed(found.cuts.len()), found.rays.len());
-    Ok(((facets.into_iter().map(|cut| found.cuts[cut]).collect(), found.rays), found.effort))
-}
-
-/// One normal for each facet: those whose ray sets are proper and maximal.
-fn facets(on: &BitRows, n_rays: usize) -> Vec<usize> {
-    let sets: Vec<&[u64]> = on.rows().collect();
-    let mut facets: Vec<usize> = Vec::new();
-    for (row, set) in sets.iter().enumerate() {
-        if count(set) == n_rays || facets.iter().any(|kept| is_subset(set, sets[*kept])) {
-            continue;
-        }
-        facets.retain(|kept| !is_subset(sets[*kept], set));
-        facets.push(row);
-    }
-    facets
+    let (flat, facets) = flat_and_facets(&found.on.transposed(found.cuts.len()), found.rays.len());
+    let [flat, facets] = [flat, facets].map(|places| places.into_iter().map(|cut| found.cuts[cut]).collect());
+    Ok((Faces { flat, facets, rays: found.rays }, found.effort))
 }
 
 /// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.

@@ -13,13 +13,20 @@ pub(super) struct Simplex<T> {
     pub(super) basis: Vec<usize>,
 }
 
-/// Facets of a cone, by the indices of their normals, and its extreme rays.
-pub(super) type FacetsAndRays<T> = (Vec<usize>, Matrix<T>);
+/// The extreme rays of a pointed cone, and which of its normals matter.
+pub(super) struct Faces<T> {
+    /// Indices of normals that vanish on all rays: enough of them to span the complement of the cone.
+    pub(super) flat: Vec<usize>,
+    /// One index of a normal for each facet.
+    pub(super) facets: Vec<usize>,
+    pub(super) rays: Matrix<T>,
+}
 
 /// Extreme rays of a cone, and which of the normals that cut it they lie on.
 pub(super) struct Description<T> {
     pub(super) rays: Matrix<T>,
-    /// The normals that cut something off when it was their turn, all facets among them.
+    /// The normals that cut something off when it was their turn, all facets among them and all that the cone's span
+    /// takes.
     pub(super) cuts: Vec<usize>,
     /// For each ray the members of `cuts`, by their places in it, that it lies on.
     pub(super) on: BitRows,
@@ -30,10 +37,8 @@ pub(super) struct Description<T> {
 /// Effort of computing an entry of a ray, in pairs of rays looked at.
 const COMBINED: usize = 16;
 
-/// Why a cone of full dimension was not described.
+/// Why a cone was not described.
 pub(super) enum Stop {
-    /// It lies in the hyperplane of this normal.
-    Flat(usize),
     /// A primitive row does not fit the integers in use.
     Overflow,
     /// It would take more effort than allowed.
@@ -48,6 +53,9 @@ impl From<Overflow> for Stop {
 
 /// Cuts a simplicial cone by the other normals in their order, none of them zero. When its effort is to exceed `allowed`,
 /// `allow` gives a new limit or ends it.
+///
+/// A normal that leaves a face only, so that the cone has no longer full dimension, is a cut as any other: the count of
+/// common normals that adjacent rays need does not depend on it, since those that vanish on all rays are among them.
 ///
 /// # Errors
 /// [`Stop`], for any of its reasons.
@@ -71,9 +79,6 @@ pub(super) fn describe<T: Int>(
         step.sort(normals.row(row), &rays)?;
         if step.outside.is_empty() {
             continue;
-        }
-        if step.inside.is_empty() {
-            return Err(Stop::Flat(row));
         }
         effort += (step.inside.len() * step.outside.len() + rays.len()) as u64;
         if effort > allowed {

@@ -1,6 +1,6 @@
 //! Which rays lie on which facets, and the face lattice that follows from it.
 
-use super::bits::{BitRows, Set, all, intersect, is_subset};
+use super::bits::{BitRows, Set, all, count, intersect, is_subset};
 use super::faces::Face;
 use crate::exact::{Int, Matrix, Overflow};
 use std::collections::BTreeSet;
@@ -12,6 +12,21 @@ pub(super) fn incidence<T: Int>(normals: &Matrix<T>, rays: &Matrix<T>) -> Result
         on.push_zeros(normal, rays)?;
     }
     Ok(on)
+}
+
+/// The normals that vanish on all rays, and one normal for each facet: those whose ray sets are proper and maximal.
+pub(super) fn flat_and_facets(on: &BitRows, n_rays: usize) -> (Vec<usize>, Vec<usize>) {
+    let sets: Vec<&[u64]> = on.rows().collect();
+    let (mut flat, mut facets) = (Vec::new(), Vec::<usize>::new());
+    for (row, set) in sets.iter().enumerate() {
+        if count(set) == n_rays {
+            flat.push(row);
+        } else if !facets.iter().any(|kept| is_subset(set, sets[*kept])) {
+            facets.retain(|kept| !is_subset(sets[*kept], set));
+            facets.push(row);
+        }
+    }
+    (flat, facets)
 }
 
 /// Every face as a ray set, larger before smaller along each chain.

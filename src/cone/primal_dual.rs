@@ -1,7 +1,7 @@
 //! Few extreme rays behind many normals: the primal-dual method.
 
 use super::cut::{absorb, cut_within, flatten};
-use super::describe::{FacetsAndRays, Stop};
+use super::describe::{Faces, Stop};
 use super::interior::interior_point;
 use super::linear::{dot_sign, negate, positive_combination};
 use crate::exact::{Entries, Int, Matrix, Overflow};
@@ -48,11 +48,11 @@ impl<'a, T: Int> PrimalDual<'a, T> {
         Ok(Some(Self { normals, known, inside, level, rays }))
     }
 
-    /// Indices of the facets and the extreme rays, if `allowed` is effort enough and the rays are few.
+    /// The facets and extreme rays, if `allowed` is effort enough and the rays are few.
     ///
     /// # Errors
     /// [`Stop::Overflow`] if a primitive row does not fit `T`.
-    pub(super) fn run(&mut self, mut allowed: u64) -> Result<Option<FacetsAndRays<T>>, Stop> {
+    pub(super) fn run(&mut self, mut allowed: u64) -> Result<Option<Faces<T>>, Stop> {
         let cost = (self.normals.len() * self.level.len()) as u64;
         while FEWER * self.rays.len() <= self.normals.len() {
             let polar = match cut_within(&self.rays, &mut allowed) {
@@ -80,7 +80,7 @@ impl<'a, T: Int> PrimalDual<'a, T> {
             }
             if self.rays.len() == n_before {
                 let facets = objectives.rows().map(|facet| self.known[facet]).collect();
-                return Ok(Some((facets, self.rays.clone())));
+                return Ok(Some(Faces { flat: Vec::new(), facets, rays: self.rays.clone() }));
             }
         }
         Ok(None)

@@ -33,7 +33,7 @@ pub fn volume_in_box<T: Int>(cone: &Cone<T>, reach: &[Q]) -> Result<Q, Overflow>
         .flat_map(|axis| [(axis, Ordering::Greater), (axis, Ordering::Less)])
         .filter(|(axis, side)| reaches(cone.closure(), *axis, *side))
         .collect();
-    let pyramids = pyramids(facets, reach, &sides).or_else(|Overflow| pyramids(&facets.to_z(), reach, &sides))?;
+    let pyramids = pyramids(facets, reach, &sides).or_else(|Overflow| pyramids(&facets.to_long(), reach, &sides))?;
     let scale = (1..=dim).fold(Z::one() << dim, |product, factor| product * factor);
     let (numerator, denominator) = sum(pyramids).into_raw();
     Ok(fraction(numerator, denominator * scale))

@@ -1,7 +1,7 @@
 //! Greatest common divisors: binary on words, Lehmer's method on longer integers.
 
 use super::Z;
-use super::limbs::{Divisor, Limbs, compare, trim};
+use super::limbs::{Divisor, Limbs, compare, to_z, trim};
 
 /// Of two integers of any size, not negative.
 pub(super) fn gcd(a: &Z, b: &Z) -> Z {
@@ -148,11 +148,6 @@ fn remainder(a: &[u64], b: &[u64]) -> Limbs {
 
 fn short_remainder(a: &[u64], b: u64) -> u64 {
     a.iter().rev().fold(0, |rest, word| ((u128::from(rest) << 64 | u128::from(*word)) % u128::from(b)) as u64)
-}
-
-fn to_z(words: &[u64]) -> Z {
-    let halves = words.iter().flat_map(|word| [*word as u32, (word >> 32) as u32]).collect();
-    Z::new(num_bigint::Sign::Plus, halves)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What a rational function takes a real algebraic number to.
 
-use super::{Algebraic, Entries, Int as _, Polynomial, Q, Z, ratio};
+use super::{Algebraic, Polynomial, Q, Z, make_primitive, ratio};
 use num_traits::{One as _, Signed as _, Zero as _};
 
 impl Algebraic {
@@ -86,14 +86,13 @@ fn equation_of_image(own: &Polynomial, a: &Polynomial, b: &Polynomial) -> Polyno
     let n = own.degree().unwrap_or_default();
     let length = 1 + n.max(n * a.degree().max(b.degree()).unwrap_or_default());
     // columns: powers of x, then how much of each a^k b^(n-k) is in the row
-    let row = |polynomial: &Polynomial, shift: usize, mark: Option<usize>| -> Entries<Z> {
-        let mut row = Entries::from_elem(Z::zero(), length + n + 1);
+    let row = |polynomial: &Polynomial, shift: usize, mark: Option<usize>| -> Vec<Z> {
+        let mut row = vec![Z::zero(); length + n + 1];
         row[shift..].iter_mut().zip(polynomial.coefficients()).for_each(|(entry, c)| entry.clone_from(c));
         mark.into_iter().for_each(|k| row[length + k] = Z::one());
         row
     };
-    let mut reducers: Vec<Option<Entries<Z>>> =
-        (0..length).map(|top| Some(row(own, top.checked_sub(n)?, None))).collect();
+    let mut reducers: Vec<Option<Vec<Z>>> = (0..length).map(|top| Some(row(own, top.checked_sub(n)?, None))).collect();
     (0..=n)
         .find_map(|k| reduced(row(&(&power(a, k) * &power(b, n - k)), 0, Some(k)), &mut reducers))
         .map(|relation| Polynomial::new(relation[length..].to_vec()))
@@ -101,7 +100,7 @@ fn equation_of_image(own: &Polynomial, a: &Polynomial, b: &Polynomial) -> Polyno
 }
 
 /// The row without any power of x, if the reducers can bring it there; else it becomes one of them.
-fn reduced(mut row: Entries<Z>, reducers: &mut [Option<Entries<Z>>]) -> Option<Entries<Z>> {
+fn reduced(mut row: Vec<Z>, reducers: &mut [Option<Vec<Z>>]) -> Option<Vec<Z>> {
     for top in (0..reducers.len()).rev() {
         if row[top].is_zero() {
             continue;
@@ -110,9 +109,8 @@ fn reduced(mut row: Entries<Z>, reducers: &mut [Option<Entries<Z>>]) -> Option<E
             reducers[top] = Some(row);
             return None;
         };
-        let mut next = Entries::new();
-        Z::combine(&reducer[top], &row, &-&row[top], reducer, &mut next).expect("integers of any size do not overflow");
-        row = next;
+        row = row.iter().zip(reducer).map(|(x, y)| &reducer[top] * x - &row[top] * y).collect();
+        make_primitive(&mut row);
     }
     Some(row)
 }

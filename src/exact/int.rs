@@ -1,4 +1,4 @@
-//! The integers that the cone kernel runs on: checked `i64`, then `i128`, then [`Z`].
+//! The integers that the cone kernel runs on: checked `i64`, then `i128`, then [`Long`].
 //!
 //! A computation is written once for [`Int`] and run by [`climb`]: whatever does not fit its rung is an [`Overflow`], and
 //! the computation starts again one rung higher. Nothing wraps. On the machine rungs a row is stored in the rung's
@@ -6,7 +6,7 @@
 //! ever because of an intermediate.
 
 use super::gcd::word_gcd;
-use super::{Entries, Minors, Z};
+use super::{Entries, Long, Minors, Z};
 use smallvec::SmallVec;
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -24,7 +24,7 @@ pub enum Rung {
     Word,
     /// `i128` entries.
     DoubleWord,
-    /// [`Z`] entries.
+    /// [`Long`] entries.
     Big,
 }
 
@@ -36,7 +36,7 @@ pub trait Ladder {
     /// Runs on the integers `T`.
     ///
     /// # Errors
-    /// [`Overflow`] if a result does not fit `T`; never for [`Z`].
+    /// [`Overflow`] if a result does not fit `T`; never for [`Long`].
     fn run<T: Int>(&self) -> Result<Self::Output, Overflow>;
 }
 
@@ -52,7 +52,7 @@ pub fn climb<J: Ladder>(job: &J, lowest: Rung) -> (J::Output, Rung) {
     {
         return (output, Rung::DoubleWord);
     }
-    (job.run::<Z>().expect("integers of any size do not overflow"), Rung::Big)
+    (job.run::<Long>().expect("integers of any size do not overflow"), Rung::Big)
 }
 
 /// Integer entries of primitive rows; the least value of a machine type (`i64::MIN`) is not one of them.

@@ -1,29 +1,37 @@
 //! Natural numbers as words, least first and without leading zeros.
 
+use super::Z;
 use smallvec::SmallVec;
 use std::cmp::Ordering;
 
 /// Words of one number.
-pub(super) type Limbs = SmallVec<[u64; 8]>;
+pub(super) type Limbs = SmallVec<[u64; 6]>;
+
+/// The number of words without leading zeros.
+pub(super) fn significant(words: &[u64]) -> usize {
+    words.iter().rposition(|word| *word != 0).map_or(0, |top| top + 1)
+}
 
 pub(super) fn trim(words: &mut Limbs) {
-    while words.last() == Some(&0) {
-        words.pop();
-    }
+    words.truncate(significant(words));
 }
 
 pub(super) fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-/// Adds `a b`.
-pub(super) fn add_product(total: &mut Limbs, a: &[u64], b: &[u64]) {
-    total.resize(total.len().max(a.len() + b.len()) + 1, 0);
-    for (shift, factor) in a.iter().enumerate() {
+pub(super) fn to_z(words: &[u64]) -> Z {
+    let halves = words.iter().flat_map(|word| [*word as u32, (word >> 32) as u32]).collect();
+    Z::new(num_bigint::Sign::Plus, halves)
+}
+
+/// Adds `a b`, which have no more words than `total` has, modulo its range.
+pub(super) fn add_product(total: &mut [u64], a: &[u64], b: &[u64]) {
+    let (short, long) = if a.len() < b.len() { (a, b) } else { (b, a) };
+    for (shift, factor) in short.iter().enumerate() {
+        let (low, high) = total[shift..].split_at_mut(long.len());
         let mut carry = 0_u64;
-        let (_, upper) = total.split_at_mut(shift);
-        let (low, high) = upper.split_at_mut(b.len());
-        for (word, other) in low.iter_mut().zip(b) {
+        for (word, other) in low.iter_mut().zip(long) {
             let sum = u128::from(*factor) * u128::from(*other) + u128::from(*word) + u128::from(carry);
             (*word, carry) = (sum as u64, (sum >> 64) as u64);
         }
@@ -35,28 +43,30 @@ pub(super) fn add_product(total: &mut Limbs, a: &[u64], b: &[u64]) {
             (*word, carry) = (sum, u64::from(is_over));
         }
     }
-    trim(total);
 }
 
-/// Replaces `a` by `|a - b|` and says how they compare.
-pub(super) fn subtract(a: &mut Limbs, b: &[u64]) -> Ordering {
-    let order = compare(a, b);
-    let mut borrow = false;
-    let mut difference = |more: u64, less: u64| {
-        let (word, first) = more.overflowing_sub(less);
-        let (word, second) = word.overflowing_sub(u64::from(borrow));
-        borrow = first || second;
-        word
-    };
-    if order.is_lt() {
-        a.resize(b.len(), 0);
-        a.iter_mut().zip(b).for_each(|(less, more)| *less = difference(*more, *less));
-    } else {
-        let padded = b.iter().copied().chain(std::iter::repeat(0));
-        a.iter_mut().zip(padded).for_each(|(more, less)| *more = difference(*more, less));
+/// Subtracts `a b`, which have no more words than `total` has, modulo its range.
+pub(super) fn subtract_product(total: &mut [u64], a: &[u64], b: &[u64]) {
+    let (short, long) = if a.len() < b.len() { (a, b) } else { (b, a) };
+    for (shift, factor) in short.iter().enumerate() {
+        let (low, high) = total[shift..].split_at_mut(long.len());
+        let mut borrow = subtract_multiple(low, long, *factor);
+        for word in high {
+            if borrow == 0 {
+                break;
+            }
+            let (difference, is_under) = word.overflowing_sub(borrow);
+            (*word, borrow) = (difference, u64::from(is_under));
+        }
     }
-    trim(a);
-    order
+}
+
+/// Negates in two's complement.
+pub(super) fn negate(words: &mut [u64]) {
+    let mut carry = true;
+    for word in words {
+        (*word, carry) = (!*word).overflowing_add(u64::from(carry));
+    }
 }
 
 /// A number to divide by, prepared once for many divisions.
@@ -88,12 +98,13 @@ impl Divisor {
         self.divide(value, |_, _| ());
     }
 
-    /// Replaces `value` by the remainder and `quotient` by the quotient.
-    pub(super) fn divide_into(&self, value: &mut Limbs, quotient: &mut Limbs) {
-        quotient.clear();
-        quotient.resize((value.len() + 1).saturating_sub(self.words.len()), 0);
-        self.divide(value, |index, digit| quotient[index] = digit);
-        trim(quotient);
+    /// Replaces `value` by the remainder and the zeros of `quotient`, as long as `value` at least, by the quotient.
+    pub(super) fn divide_into(&self, value: &mut Limbs, quotient: &mut [u64]) {
+        self.divide(value, |index, digit| {
+            if digit != 0 {
+                quotient[index] = digit;
+            }
+        });
     }
 
     #[inline(always)]
@@ -126,7 +137,7 @@ impl Divisor {
                 }
                 digit
             };
-            if digit != 0 && subtract_product(part, &self.words, digit) {
+            if digit != 0 && subtract_once(part, &self.words, digit) {
                 digit -= 1;
                 while !add_back(part, &self.words) {
                     digit -= 1;
@@ -160,18 +171,24 @@ impl Divisor {
 }
 
 /// Subtracts `digit words` from a part that is one word longer, and says whether that went below zero.
-fn subtract_product(part: &mut [u64], words: &[u64], digit: u64) -> bool {
+fn subtract_once(part: &mut [u64], words: &[u64], digit: u64) -> bool {
+    let (last, part) = part.split_last_mut().expect("the part has a word more");
+    let borrow = subtract_multiple(part, words, digit);
+    let (difference, is_under) = last.overflowing_sub(borrow);
+    *last = difference;
+    is_under
+}
+
+/// Subtracts `factor words` from a part of the same length, and returns what is to be subtracted from the next word.
+fn subtract_multiple(part: &mut [u64], words: &[u64], factor: u64) -> u64 {
     let mut carry = 0_u64;
-    for (word, factor) in part.iter_mut().zip(words) {
-        let product = u128::from(digit) * u128::from(*factor) + u128::from(carry);
+    for (word, other) in part.iter_mut().zip(words) {
+        let product = u128::from(factor) * u128::from(*other) + u128::from(carry);
         let (difference, is_under) = word.overflowing_sub(product as u64);
         *word = difference;
         carry = (product >> 64) as u64 + u64::from(is_under);
     }
-    let last = &mut part[words.len()];
-    let (difference, is_under) = last.overflowing_sub(carry);
-    *last = difference;
-    is_under
+    carry
 }
 
 /// Adds `words` to a part that is one word longer, and says whether that brought it back above zero.
@@ -211,7 +228,6 @@ fn shift_right(words: &mut [u64], shift: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Z;
     use num_integer::Integer as _;
     use num_traits::Zero as _;
     use proptest::prelude::*;
@@ -228,17 +244,27 @@ mod tests {
     proptest! {
         #[test]
         fn words_compute_as_num_bigint_does(a in natural(), b in natural(), c in natural()) {
+            let sum = &a * &b + &c;
+            let size = a.iter_u64_digits().len() + b.iter_u64_digits().len().max(c.iter_u64_digits().len()) + 1;
             let mut total = words(&c);
+            total.resize(size, 0);
             add_product(&mut total, &words(&a), &words(&b));
-            prop_assert_eq!(&total, &words(&(&a * &b + &c)));
-            let mut difference = words(&a);
-            prop_assert_eq!(subtract(&mut difference, &words(&b)), a.cmp(&b));
-            prop_assert_eq!(difference, words(&(&a - &b)));
+            prop_assert_eq!(to_z(&total), sum.clone());
+            subtract_product(&mut total, &words(&b), &words(&a));
+            prop_assert_eq!(to_z(&total), c.clone());
+            subtract_product(&mut total, &words(&a), &words(&b));
+            let is_negative = &a * &b > c;
+            prop_assert_eq!(total.last().is_some_and(|top| top >> 63 == 1), is_negative);
+            if is_negative {
+                negate(&mut total);
+            }
+            prop_assert_eq!(to_z(&total), (&a * &b - &c).magnitude().clone().into());
             if !b.is_zero() {
-                let (mut value, mut quotient) = (total, Limbs::new());
+                let mut value = words(&sum);
+                let mut quotient = vec![0; value.len()];
                 Divisor::new(&words(&b)).divide_into(&mut value, &mut quotient);
-                let (expected, rest) = (&a * &b + &c).div_rem(&b);
-                prop_assert_eq!((quotient, value), (words(&expected), words(&rest)));
+                let (expected, rest) = sum.div_rem(&b);
+                prop_assert_eq!((to_z(&quotient), value), (expected, words(&rest)));
             }
         }
     }

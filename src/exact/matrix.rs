@@ -1,8 +1,9 @@
 //! Rows of integers in one allocation.
 
-use super::{Int, Overflow, Q, Z};
+use super::gcd::gcd;
+use super::{Int, Long, Overflow, Q, Z};
 use num_integer::Integer as _;
-use num_traits::One as _;
+use num_traits::{One as _, Signed as _, Zero as _};
 use smallvec::SmallVec;
 
 /// Entries of rows, on the stack while there are few: most cones in wrench space have at most four rows a side.
@@ -58,8 +59,8 @@ impl<T: Int> Matrix<T> {
 
     /// The same rows in integers of any size.
     #[must_use]
-    pub fn to_z(&self) -> Matrix<Z> {
-        let entries = self.entries.iter().map(T::to_z).collect();
+    pub fn to_long(&self) -> Matrix<Long> {
+        let entries = self.entries.iter().map(|entry| Long::from_z(&entry.to_z()).expect("any size fits")).collect();
         Matrix { columns: self.columns, n_rows: self.n_rows, entries }
     }
 
@@ -186,6 +187,20 @@ pub fn on_rung<T: Int>(row: &[Z]) -> Result<Vec<T>, Overflow> {
 pub fn primitive_row(row: &[Q]) -> Vec<Z> {
     let denominator = row.iter().fold(Z::one(), |lcm, value| lcm.lcm(value.denom()));
     let mut integers: Vec<Z> = row.iter().map(|value| value.numer() * (&denominator / value.denom())).collect();
-    Z::make_primitive(&mut integers);
+    make_primitive(&mut integers);
     integers
+}
+
+/// Divides `row` by the greatest common divisor of its entries.
+pub fn make_primitive(row: &mut [Z]) {
+    let mut common = Z::zero();
+    for value in row.iter() {
+        if common.is_one() {
+            return;
+        }
+        common = gcd(&common, &value.abs());
+    }
+    if common > Z::one() {
+        row.iter_mut().for_each(|value| *value /= &common);
+    }
 }

@@ -150,7 +150,7 @@ impl Minors for i128 {
 
     fn determinant(a: &[i128; 3], b: &[i128; 3], c: &[i128; 3]) -> Z {
         let [a, b, c] = [a, b, c].map(|row| row.map(Z::from));
-        Z::determinant(&a, &b, &c)
+        a.iter().zip(&cross(&b, &c)).map(|(x, y)| x * y).sum()
     }
 
     fn minor_sign(minor: &Quad) -> Ordering {
@@ -185,47 +185,17 @@ impl Minors for i128 {
     }
 }
 
-impl Minors for Z {
-    type Minor = Z;
-
-    fn minors(a: &[Z; 3], b: &[Z; 3]) -> [Z; 3] {
-        let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
-        [minor(1, 2), minor(2, 0), minor(0, 1)]
-    }
-
-    fn product(a: &[Z; 3], b: &[Z; 3]) -> Result<Z, Overflow> {
-        Self::dot(a, b)
-    }
-
-    fn determinant(a: &[Z; 3], b: &[Z; 3], c: &[Z; 3]) -> Z {
-        a.iter().zip(&Self::minors(b, c)).map(|(x, y)| x * y).sum()
-    }
-
-    fn minor_sign(minor: &Z) -> Ordering {
-        minor.sign().cmp(&num_bigint::Sign::NoSign)
-    }
-
-    fn side(row: &[Z; 3], minors: &[Z; 3]) -> Ordering {
-        Self::minor_sign(&row.iter().zip(minors).map(|(x, y)| x * y).sum())
-    }
-
-    fn side_of(a: &[Z; 3], b: &[Z; 3]) -> Ordering {
-        Self::side(a, b)
-    }
-
-    fn on_ray(minors: &[Z; 3]) -> Result<[Z; 3], Overflow> {
-        Ok(Self::shortest(minors.clone()))
-    }
-
-    fn shortest(mut row: [Z; 3]) -> [Z; 3] {
-        Self::make_primitive(&mut row);
-        row
-    }
+/// `a × b`.
+#[must_use]
+pub fn cross(a: &[Z; 3], b: &[Z; 3]) -> [Z; 3] {
+    let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::{Long, primitive_row};
     use std::ops::{Neg, Sub};
 
     const MOST: i64 = i64::MAX;
@@ -240,19 +210,20 @@ mod tests {
 
     fn agree<T: Int>(rows: &[[T; 3]]) {
         let exact = |row: &[T; 3]| [0, 1, 2].map(|axis| row[axis].to_z());
+        let product = |a: &[Z; 3], b: &[Z; 3]| a.iter().zip(b).map(|(x, y)| x * y).sum::<Z>();
         for (index, a) in rows.iter().enumerate() {
             let b = &rows[(7 * index + 3) % rows.len()];
-            let (minors, expected) = (T::minors(a, b), Z::minors(&exact(a), &exact(b)));
-            assert_eq!([0, 1, 2].map(|axis| T::minor_sign(&minors[axis])), expected.each_ref().map(Z::minor_sign));
-            match (T::on_ray(&minors), Z::on_ray(&expected).map(|row| row.map(|value| T::from_z(&value)))) {
-                (Ok(ray), Ok(row)) => assert_eq!(ray.map(Some), row),
-                (ray, Ok(row)) => assert!(ray.is_err() && row.contains(&None), "{a:?} {b:?}"),
-                (_, Err(_)) => unreachable!("integers of any size do not overflow"),
-            }
+            let (minors, expected) = (T::minors(a, b), cross(&exact(a), &exact(b)));
+            let signs = expected.each_ref().map(|minor| minor.cmp(&Z::from(0)));
+            assert_eq!([0, 1, 2].map(|axis| T::minor_sign(&minors[axis])), signs);
+            let row = primitive_row(&expected.each_ref().map(|minor| minor.clone().into()));
+            let row: Option<Vec<T>> = row.iter().map(T::from_z).collect();
+            assert_eq!(T::on_ray(&minors).map(Vec::from).ok(), row, "{a:?} {b:?}");
             for c in rows {
-                assert_eq!(T::side(c, &minors), Z::side(&exact(c), &expected), "{c:?} {a:?} {b:?}");
-                assert_eq!(T::determinant(c, a, b), Z::determinant(&exact(c), &exact(a), &exact(b)));
-                assert_eq!(T::side_of(c, a), Z::side_of(&exact(c), &exact(a)), "{c:?} {a:?}");
+                let volume = product(&exact(c), &expected);
+                assert_eq!(T::side(c, &minors), volume.cmp(&Z::from(0)), "{c:?} {a:?} {b:?}");
+                assert_eq!(T::determinant(c, a, b), volume);
+                assert_eq!(T::side_of(c, a), product(&exact(c), &exact(a)).cmp(&Z::from(0)), "{c:?} {a:?}");
             }
         }
     }
@@ -265,6 +236,8 @@ mod tests {
         agree(&rows(MOST_OF_ALL, 1_i128));
         agree(&rows(1_i128 << 90, 1));
         agree(&rows(1_i128 << 40, 1));
+        let long = |row: [i128; 3]| row.map(|entry| Long::from_z(&(Z::from(entry) << 50)).expect("any size fits"));
+        agree(&rows(MOST_OF_ALL, 1_i128).into_iter().map(long).collect::<Vec<_>>());
     }
 
     #[test]

@@ -3,7 +3,6 @@
 //! Nothing outside of this folder names `num_bigint`.
 
 mod algebraic;
-mod big;
 mod bracket;
 mod double;
 mod filter;
@@ -14,6 +13,7 @@ mod int;
 mod isolate;
 mod limbs;
 mod literal;
+mod long;
 mod matrix;
 mod minors;
 mod polynomial;
@@ -26,8 +26,9 @@ pub use filter::SignFilter;
 pub use float_interval::FloatInterval;
 pub use int::{Int, Ladder, Overflow, Rung, climb};
 pub use literal::{LiteralError, MAX_EXPONENT, parse_literal};
-pub use matrix::{Entries, Matrix, on_rung, primitive_row};
-pub use minors::Minors;
+pub use long::Long;
+pub use matrix::{Entries, Matrix, make_primitive, on_rung, primitive_row};
+pub use minors::{Minors, cross};
 pub use polynomial::Polynomial;
 pub use rational::{approximate, dot, fraction, from_float_exact, ratio, sum, to_f64};
 

@@ -1,6 +1,6 @@
 //! Polynomials in one variable over the integers.
 
-use super::{Int as _, Q, Z, primitive_row};
+use super::{Q, Z, make_primitive, primitive_row};
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, Zero as _};
 use std::cmp::Ordering;
@@ -125,7 +125,7 @@ impl Polynomial {
     /// Divided by the greatest common divisor of its coefficients; the sign stays.
     #[must_use]
     pub fn primitive(mut self) -> Self {
-        Z::make_primitive(&mut self.coefficients);
+        make_primitive(&mut self.coefficients);
         self
     }
 

@@ -2,7 +2,7 @@
 
 use super::frame::Frame;
 use super::mode::Interaction;
-use crate::exact::{Int, Overflow, Q, Z, on_rung, primitive_row};
+use crate::exact::{Int, Overflow, Q, Z, make_primitive, on_rung, primitive_row};
 use crate::model::{Fixture, Part};
 
 /// One contact: its acceleration rows and force rays, each up to a positive factor.
@@ -83,7 +83,7 @@ fn acceleration_row(wrench: &[Z], rho2: &Q) -> Vec<Z> {
 }
 
 fn primitive(mut row: Vec<Z>) -> Vec<Z> {
-    Z::make_primitive(&mut row);
+    make_primitive(&mut row);
     row
 }
 

@@ -1,7 +1,7 @@
 //! Cones of static friction as functions of a factor on their coefficients.
 
 use super::frame::Frame;
-use crate::exact::{Int as _, Q, Z, primitive_row};
+use crate::exact::{Q, Z, make_primitive, primitive_row};
 use crate::model::{Fixture, Part};
 use num_traits::{One as _, Zero as _};
 
@@ -46,7 +46,7 @@ impl FrictionEdges {
         [0, 1].map(|side| {
             let entry = |(base, slope): (&Z, &Z)| base * factor.denom() + slope * factor.numer();
             let mut edge: Vec<Z> = self.base[side].iter().zip(&self.slope[side]).map(entry).collect();
-            Z::make_primitive(&mut edge);
+            make_primitive(&mut edge);
             edge
         })
     }

@@ -2,7 +2,7 @@
 
 use super::draw::runs;
 use num_traits::Zero;
-use partplan::exact::{Entries, Int, Matrix, Overflow, Q, Z, primitive_row};
+use partplan::exact::{Entries, Int, Long, Matrix, Overflow, Q, Z, primitive_row};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -25,6 +25,14 @@ fn narrow() -> impl Strategy<Value = i64> {
 
 fn big<T: Int>(row: &[T]) -> Vec<Z> {
     row.iter().map(T::to_z).collect()
+}
+
+fn long(value: &Z) -> Long {
+    Long::from_z(value).expect("any size fits")
+}
+
+fn longs(row: &[Z]) -> Vec<Long> {
+    row.iter().map(long).collect()
 }
 
 /// The row if every entry fits.
@@ -68,8 +76,8 @@ proptest! {
     ) {
         let expected = expected(p, &big(&a), q, &big(&b));
         prop_assert_eq!(combined(&p.into(), &a, &q.into(), &b), fitted::<i128>(&expected));
-        let (a, b) = (big(&a), big(&b));
-        prop_assert_eq!(combined(&Z::from(p), &a, &Z::from(q), &b), Ok(expected));
+        let (p, q) = (long(&Z::from(p)), long(&Z::from(q)));
+        prop_assert_eq!(combined(&p, &longs(&big(&a)), &q, &longs(&big(&b))), Ok(longs(&expected)));
     }
 
     #[test]
@@ -83,13 +91,13 @@ proptest! {
         }
         if let Ok(double) = i128::dot(&c, &d) {
             let expected = exact(&big(&c), &big(&d));
-            prop_assert_eq!(i128::wide_sign(&double), Z::wide_sign(&expected));
+            prop_assert_eq!(i128::wide_sign(&double), expected.cmp(&Z::zero()));
             prop_assert_eq!(Z::from(i128::wide_negated(&double)), -&expected);
             prop_assert_eq!(Z::from(double), expected);
         } else {
             prop_assert!(c.len() > 2, "two products of double words fit 255 bits");
         }
-        prop_assert_eq!(Z::dot(&big(&a), &big(&b)), Ok(words));
+        prop_assert_eq!(Long::dot(&longs(&big(&a)), &longs(&big(&b))), Ok(long(&words)));
     }
 
     #[test]
@@ -122,10 +130,19 @@ proptest! {
         prop_assert_eq!(found, fitted::<i128>(&super::naive::coprime(&rational(&[p_big.clone(), q_big.clone()]))));
         let whole: Vec<Z> = big(&x).iter().zip(big(&y)).map(|(x, y)| x * &p_big + y * &q_big).collect();
         let whole = super::naive::coprime(&rational(&whole));
-        prop_assert_eq!(combined(&p_big, &big(&x), &q_big, &big(&y)), Ok(whole.clone()));
+        prop_assert_eq!(combined(&long(&p_big), &longs(&big(&x)), &long(&q_big), &longs(&big(&y))), Ok(longs(&whole)));
         if let Ok(found) = combined(&p, &x, &q, &y) {
             prop_assert_eq!(big(&found), whole);
         }
+    }
+
+    #[test]
+    fn long_integers_are_ordered_and_kept_as_others(x in wide(), y in wide(), shift in 0_u32..300) {
+        let (x, y) = (Z::from(x) << shift, Z::from(y));
+        prop_assert_eq!(long(&x).cmp(&long(&y)), x.cmp(&y));
+        prop_assert_eq!(long(&x).to_z(), x.clone());
+        prop_assert_eq!(long(&x).negated().to_z(), -&x);
+        prop_assert_eq!(long(&x).sign(), x.cmp(&Z::zero()));
     }
 
     #[test]

@@ -5,12 +5,12 @@ use super::naive::rationals;
 use super::support::{cross, int};
 use num_traits::{One, Signed, Zero};
 use partplan::cone::{Cone, Pair, volume_in_box};
-use partplan::exact::{Matrix, Q, Z, ratio};
+use partplan::exact::{Long, Matrix, Q, ratio};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-fn closed(dim: usize, normals: &[Vec<i64>]) -> Cone<Z> {
+fn closed(dim: usize, normals: &[Vec<i64>]) -> Cone<Long> {
     Pair::from_normals(&Matrix::new(dim), &matrix(dim, normals)).unwrap().into()
 }
 
@@ -135,8 +135,8 @@ proptest! {
 
     #[test]
     fn missing_faces_have_no_volume((system, reach) in (1..=3_usize).prop_flat_map(|d| (system(d, 4), reach(d)))) {
-        let Some(cone) = Cone::<Z>::from_half_spaces(&system.half_spaces()).unwrap() else { return Ok(()) };
-        let whole: Cone<Z> = cone.closure().clone().into();
+        let Some(cone) = Cone::<Long>::from_half_spaces(&system.half_spaces()).unwrap() else { return Ok(()) };
+        let whole: Cone<Long> = cone.closure().clone().into();
         prop_assert_eq!(volume_in_box(&cone, &reach).unwrap(), volume_in_box(&whole, &reach).unwrap());
     }
 }
@@ -152,7 +152,7 @@ fn unit(dim: usize, axis: usize) -> Vec<i64> {
 #[test]
 fn the_whole_space_fills_the_box_and_a_half_space_half_of_it() {
     for dim in 1..=5 {
-        let everything = Cone::<Z>::everything(dim).unwrap();
+        let everything = Cone::<Long>::everything(dim).unwrap();
         assert_eq!(volume_in_box(&everything, &unequal(dim)).unwrap(), Q::one());
         let normal: Vec<i64> = (0..dim as i64).map(|i| i * i - 3 * i + 1).collect();
         assert_eq!(volume_in_box(&closed(dim, &[normal]), &unequal(dim)).unwrap(), ratio(1, 2));
@@ -206,7 +206,7 @@ fn a_flat_cone_has_no_volume() {
     for dim in 1..=5 {
         let opposite = [unit(dim, dim - 1), unit(dim, dim - 1).iter().map(|v| -v).collect()];
         assert_eq!(volume_in_box(&closed(dim, &opposite), &unequal(dim)).unwrap(), Q::zero());
-        let origin: Cone<Z> = Pair::from_normals(&Matrix::identity(dim), &Matrix::new(dim)).unwrap().into();
+        let origin: Cone<Long> = Pair::from_normals(&Matrix::identity(dim), &Matrix::new(dim)).unwrap().into();
         assert_eq!(volume_in_box(&origin, &unequal(dim)).unwrap(), Q::zero());
     }
 }

@@ -8,7 +8,8 @@ mod forms;
 mod missing;
 mod ring;
 
-use super::describe::FacetsAndRays;
+use super::describe::Faces;
+use super::lattice::{flat_and_facets, incidence};
 use crate::exact::{Int, Matrix, Overflow};
 use fan::Fan;
 pub(super) use missing::{Part, is_small, masks, maximal_missing};
@@ -156,19 +157,20 @@ fn cut_line<T: Int>(line: &Row<T>, normals: &Matrix<T>) -> Shape<T> {
     }
 }
 
-/// Indices of the facets, and the rays, of the pointed cone of normals of full rank, none of them zero; `Err` is a normal
-/// that vanishes on it.
+/// Facets and rays of the pointed cone of normals of full rank, none of them zero.
 ///
 /// # Errors
 /// [`Overflow`] if a primitive ray does not fit `T`.
-pub(super) fn facets_and_rays<T: Int>(normals: &Matrix<T>) -> Result<Result<FacetsAndRays<T>, usize>, Overflow> {
+pub(super) fn faces<T: Int>(normals: &Matrix<T>) -> Result<Faces<T>, Overflow> {
     let mut ring = Ring::new();
-    Ok(match cut_space(normals, &mut ring)? {
-        Err(implied) => Err(implied),
-        Ok(Shape::Pointed) => Ok((ring.facets.to_vec(), ring.primitive_rays()?)),
-        // of full rank they leave nothing else but the apex, on which all of them vanish
-        Ok(_) => Err(0),
-    })
+    let shape = Shape::of(&Matrix::new(3), normals, &mut ring)?;
+    if matches!(shape, Shape::Pointed) {
+        return Ok(Faces { flat: Vec::new(), facets: ring.facets.to_vec(), rays: ring.primitive_rays()? });
+    }
+    let rays = shape.generators(normals, &ring)?.rays;
+    let on = incidence(normals, &rays)?;
+    let (flat, facets) = flat_and_facets(&on, rays.len());
+    Ok(Faces { flat, facets, rays })
 }
 
 /// A row of a matrix with three columns.

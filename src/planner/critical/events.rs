@@ -2,7 +2,7 @@
 
 use super::determinants::Determinants;
 use super::family::Family;
-use crate::exact::{FloatInterval, Int as _, Minors as _, Polynomial, Q, Z};
+use crate::exact::{FloatInterval, Polynomial, Q, Z, cross, make_primitive};
 use crate::mechanics::Contact;
 use num_traits::{Signed as _, Zero as _};
 use std::cmp::Ordering;
@@ -104,8 +104,8 @@ impl Rays {
         let at = |ray: &Ray| [0, 1, 2].map(|axis| &ray.base[axis] * factor.denom() + &ray.slope[axis] * factor.numer());
         let here: Vec<[Z; 3]> = self.0.iter().map(at).collect();
         let plane = |[a, b]: [usize; 2]| {
-            let mut row = Z::minors(&here[a], &here[b]).to_vec();
-            Z::make_primitive(&mut row);
+            let mut row = cross(&here[a], &here[b]).to_vec();
+            make_primitive(&mut row);
             (row, [self.vector(a), self.vector(b)])
         };
         Planes(self.planes().into_iter().map(plane).collect())
@@ -182,15 +182,15 @@ fn dual_basis(contacts: &[Contact]) -> Vec<[Z; 3]> {
         let mut unit = [Z::zero(), Z::zero(), Z::zero()];
         unit[axis] = Z::from(1);
         let is_new = match &normals[..] {
-            [a] => Z::minors(a, &unit).iter().any(|entry| !entry.is_zero()),
-            [a, b] => !Z::determinant(a, b, &unit).is_zero(),
+            [a] => cross(a, &unit).iter().any(|entry| !entry.is_zero()),
+            [a, b] => !cross(a, b)[axis].is_zero(),
             _ => false,
         };
         if is_new {
             normals.push(unit);
         }
     }
-    (0..3).map(|index| Z::minors(&normals[(index + 1) % 3], &normals[(index + 2) % 3])).collect()
+    (0..3).map(|index| cross(&normals[(index + 1) % 3], &normals[(index + 2) % 3])).collect()
 }
 
 fn triple(row: &[Z]) -> [Z; 3] {

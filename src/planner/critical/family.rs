@@ -3,7 +3,7 @@
 use super::super::sets::{are_independent, contacts_on_rung, transition_cones};
 use super::super::transitions::Transitions;
 use crate::cone::{Cone, Outside, complement};
-use crate::exact::{Int, Ladder, Overflow, Q, Rung, Z, climb, on_rung};
+use crate::exact::{Int, Ladder, Long, Overflow, Q, Rung, Z, climb, on_rung};
 use crate::mechanics::{Contact, ContactRows, FrictionEdges};
 use crate::model::{Fixture, Part};
 use std::cell::Cell;
@@ -31,7 +31,8 @@ pub(super) enum Set {
 impl Family {
     /// All coefficients of the fixture times one factor.
     pub(super) fn of(part: &Part, fixture: &Fixture, contacts: &[Contact]) -> Self {
-        let is_independent = are_independent(contacts).expect("integers of any size do not overflow");
+        let is_independent = contacts_on_rung::<Long>(contacts).and_then(|contacts| are_independent(&contacts));
+        let is_independent = is_independent.expect("integers of any size do not overflow");
         let edges = FrictionEdges::of(part, fixture);
         Self { contacts: contacts.to_vec(), edges, is_independent, rung: Cell::new(Rung::Word) }
     }

@@ -24,15 +24,15 @@ impl Frame {
     }
 
     /// The direction of a wrench as a unit vector, each entry off by a few ulp of 1 at most.
-    pub(super) fn unit<T: Int>(&self, wrench: &[T]) -> [f64; 3] {
-        let exact = |axis: usize| Q::from(wrench[axis].to_z());
+    pub(super) fn unit(&self, wrench: &[Z; 3]) -> [f64; 3] {
+        let exact = |axis: usize| Q::from(wrench[axis].clone());
         let [x, y, torque] = shares([exact(0), exact(1), exact(2) / &self.unit]);
         normalized([x, y, torque / self.rho])
     }
 
     /// The direction of a face normal `h`, `h · g ≤ 0`, in the dual coordinates.
-    pub(super) fn dual<T: Int>(&self, normal: &[T]) -> [f64; 3] {
-        let exact = |axis: usize| Q::from(normal[axis].to_z());
+    pub(super) fn dual(&self, normal: &[Z; 3]) -> [f64; 3] {
+        let exact = |axis: usize| Q::from(normal[axis].clone());
         let [x, y, torque] = shares([exact(0), exact(1), exact(2) * &self.unit]);
         normalized([x, y, torque * self.rho])
     }
@@ -46,6 +46,11 @@ impl Frame {
         let row = primitive_row(&[rounded(*x), rounded(*y), rounded(torque * self.rho) * &self.unit]);
         <[Z; 3]>::try_from(row).expect("wrenches have three components")
     }
+}
+
+/// A row of wrench space in integers of any size.
+pub(super) fn exact<T: Int>(row: &[T]) -> [Z; 3] {
+    [0, 1, 2].map(|axis| row[axis].to_z())
 }
 
 /// Entries over the largest of them.

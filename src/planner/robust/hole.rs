@@ -1,6 +1,6 @@
 //! Upper bounds on the distance from a closed cone, in floating point.
 
-use super::frame::{Frame, dot};
+use super::frame::{Frame, dot, exact};
 use crate::cone::Pair;
 use crate::exact::{Int, Overflow};
 
@@ -27,8 +27,8 @@ struct Piece {
 impl Hole {
     pub(super) fn of<T: Int>(cone: &Pair<T>, frame: &Frame) -> Result<Self, Overflow> {
         let n_rays = cone.rays().len();
-        let lines = cone.lines().rows().map(|line| frame.unit(line));
-        let mut generators: Vec<[f64; 3]> = cone.rays().rows().map(|ray| frame.unit(ray)).collect();
+        let lines = cone.lines().rows().map(|line| frame.unit(&exact(line)));
+        let mut generators: Vec<[f64; 3]> = cone.rays().rows().map(|ray| frame.unit(&exact(ray))).collect();
         generators.extend(lines.flat_map(|line| [line, line.map(|value| -value)]));
         let is_solid = cone.dim() == 3;
         let mut pieces = Vec::new();
@@ -38,7 +38,8 @@ impl Hole {
                 pieces.extend(ends[..at].iter().filter_map(|first| Piece::of(&generators, [*first, *second])));
             }
         }
-        let normals = if is_solid { cone.facets().rows().map(|normal| frame.dual(normal)).collect() } else { vec![] };
+        let normals =
+            if is_solid { cone.facets().rows().map(|normal| frame.dual(&exact(normal))).collect() } else { vec![] };
         Ok(Self { generators, pieces, normals })
     }
 

@@ -10,7 +10,7 @@ use super::recommend::Margins;
 use crate::answer::Robust;
 use crate::cone::{Cone, nearest};
 use crate::exact::{Int, Overflow, Q, Z, from_float_exact};
-use frame::Frame;
+use frame::{Frame, exact};
 use hole::Hole;
 use num_traits::Zero as _;
 use search::{Found, search};
@@ -41,7 +41,7 @@ pub(super) fn robust<T: Int>(
     let frame = Frame::of(rho2);
     let margins = Margins::of(holes, rho2.clone());
     let solid: Vec<Hole> = holes.iter().map(|hole| Hole::of(hole.closure(), &frame)).collect::<Result<_, _>>()?;
-    let inner = |cell: &Cone<T>| cell.inner_point().map(|point| [0, 1, 2].map(|axis| point[axis].to_z()));
+    let inner = |cell: &Cone<T>| cell.inner_point().map(|point| exact(&point));
     let inner: Vec<[Z; 3]> = cells.iter().map(inner).collect::<Result<_, _>>()?;
     let seeds: Vec<[f64; 3]> = inner.iter().map(|point| frame.unit(point)).collect();
     let Found { direction, radius, upper } = search(&solid, &seeds);
