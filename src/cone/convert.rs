@@ -280,16 +280,7 @@ impl Job<'_> {
         }
         let mut basis = echelon(&Matrix::new(cone.others.columns()))?;
         for (source, row) in linear {
-            let mut rest = row.to_vec();
-            basis.reduce(&mut rest)?;
-            if is_zero(&rest) {
-                fates.redundant.push(source);
-                continue;
-            }
-            let mut rows = basis.rows;
-            rows.push(&rest);
-            basis = echelon(&rows)?;
-            fates.kept.push(source);
+            if basis.insert(row)? { &mut fates.kept } else { &mut fates.redundant }.push(source);
         }
         fates.redundant.sort_unstable();
         let mut n_linear = fates.kept.len();

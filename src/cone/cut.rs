@@ -61,8 +61,14 @@ fn cut<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>, method: &mut Method<
     let chosen = |rows: Vec<usize>| Matrix::from_rows(normals.columns(), rows.into_iter().map(|row| normals.row(row)));
     let mut facets = chosen(facets);
     if !flat.is_empty() {
-        equalities.rows.append(&chosen(flat));
-        equalities = echelon(&equalities.rows)?;
+        // one ray or two are independent
+        let span = if rays.len() < 3 { rays.len() } else { 0 } + lines.len();
+        for row in flat {
+            if equalities.rows.len() + span == normals.columns() {
+                break;
+            }
+            equalities.insert(normals.row(row))?;
+        }
         equalities.reduce_all(&mut facets)?;
     }
     Ok(Cut { equalities: equalities.rows, facets, lines, rays })
@@ -97,19 +103,21 @@ fn lines_and_faces<T: Int>(
 ) -> Result<(Matrix<T>, Faces<T>), Stop> {
     let outer = Frame::without_pivots(equalities);
     let normals = outer.restricted(rows);
-    let Start { lines, mut rays, basis } = absorb_lines(&normals)?;
-    if lines.is_empty() {
+    let Start { lines, rays, basis } = absorb_lines(&normals)?;
+    if lines.pivots.is_empty() {
         let mut faces = method(&normals, Simplex { rays, basis })?;
         faces.rays = outer.lifted(&faces.rays)?;
         return Ok((Matrix::new(rows.columns()), faces));
     }
-    let lines = echelon(&lines)?;
     let inner = Frame::without_pivots(&lines);
-    lines.reduce_all(&mut rays)?;
     let start = Simplex { rays: inner.restricted(&rays), basis };
     let mut faces = method(&inner.restricted(&normals), start)?;
+    faces.rays = inner.padded(&faces.rays);
+    if equalities.pivots.is_empty() {
+        return Ok((lines.rows, faces));
+    }
     let lines = echelon(&outer.lifted(&lines.rows)?)?;
-    faces.rays = outer.lifted(&inner.padded(&faces.rays))?;
+    faces.rays = outer.lifted(&faces.rays)?;
     lines.reduce_all(&mut faces.rays)?;
     Ok((lines.rows, faces))
 }
@@ -161,15 +169,20 @@ fn by_description<T: Int>(
 
 /// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.
 pub(super) struct Start<T> {
-    pub(super) lines: Matrix<T>,
+    pub(super) lines: Echelon<T>,
+    /// Zero in the pivot columns of the lines.
     pub(super) rays: Matrix<T>,
     pub(super) basis: Vec<usize>,
 }
 
 /// Starts from the whole space; each normal not constant on the lines left turns one line into a ray.
+///
+/// The lines are the unit vectors at first, and it is always the last of those with a choice that is taken. So a line has
+/// zeros before its own column and in those of all other lines left, and a ray has them in the columns of all lines left.
 pub(super) fn absorb_lines<T: Int>(normals: &Matrix<T>) -> Result<Start<T>, Overflow> {
     let dim = normals.columns();
     let mut lines = Matrix::identity(dim);
+    let mut pivots: Vec<usize> = (0..dim).collect();
     let mut scratch = Entries::new();
     let mut rays = Matrix::with_capacity(dim, dim);
     let mut basis = Vec::with_capacity(dim);
@@ -177,33 +190,34 @@ pub(super) fn absorb_lines<T: Int>(normals: &Matrix<T>) -> Result<Start<T>, Over
         if lines.is_empty() {
             break;
         }
-        if let Some(inside) = absorb(&mut lines, normal, &mut scratch)? {
+        if let Some((line, inside)) = absorb(&mut lines, normal, &mut scratch)? {
+            pivots.remove(line);
             flatten(&mut rays, &inside, normal, &mut scratch)?;
             rays.push(&inside);
             basis.push(row);
         }
     }
-    Ok(Start { lines, rays, basis })
+    Ok(Start { lines: Echelon { rows: lines, pivots }, rays, basis })
 }
 
-/// Takes a line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
-/// side `normal · x < 0`; `None` if all lines are on the hyperplane.
+/// Takes the last line off the hyperplane of `normal` out, moves the others onto it, and returns the one taken, pointing to the
+/// side `normal · x < 0`, with its index; `None` if all lines are on the hyperplane.
 pub(super) fn absorb<T: Int>(
     lines: &mut Matrix<T>,
     normal: &[T],
     scratch: &mut Entries<T>,
-) -> Result<Option<Entries<T>>, Overflow> {
-    for index in 0..lines.len() {
+) -> Result<Option<(usize, Entries<T>)>, Overflow> {
+    for index in (0..lines.len()).rev() {
         let side = T::wide_sign(&T::dot(normal, lines.row(index))?);
         if side.is_eq() {
             continue;
         }
-        let mut inside = lines.swap_remove(index);
+        let mut inside = lines.remove(index);
         if side.is_gt() {
             negate(&mut inside);
         }
         flatten(lines, &inside, normal, scratch)?;
-        return Ok(Some(inside));
+        return Ok(Some((index, inside)));
     }
     Ok(None)
 }

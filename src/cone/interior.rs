@@ -18,7 +18,7 @@ pub(super) fn interior_point<T: Int>(normals: &Matrix<T>) -> Result<Option<Entri
         lifted.push_from(normal.iter().cloned().chain([T::unit()]));
     }
     let start = absorb_lines(&lifted)?;
-    let mut point: Entries<T> = if start.lines.is_empty() {
+    let mut point: Entries<T> = if start.lines.pivots.is_empty() {
         let Some(mut vertex) = Vertex::new(&lifted, start)? else { return Ok(None) };
         if !vertex.enter_all()? {
             return Ok(None);
@@ -26,7 +26,7 @@ pub(super) fn interior_point<T: Int>(normals: &Matrix<T>) -> Result<Option<Entri
         vertex.point
     } else {
         // the normals have full rank, so that they all lie in a plane off the origin
-        let line = start.lines.row(0);
+        let line = start.lines.rows.row(0);
         let is_up = line[dim].sign().is_gt();
         line.iter().map(|entry| if is_up { entry.clone() } else { entry.negated() }).collect()
     };

@@ -12,32 +12,37 @@ pub(super) struct Echelon<T> {
 
 /// Reduced row echelon form of the span of `rows`.
 pub(super) fn echelon<T: Int>(rows: &Matrix<T>) -> Result<Echelon<T>, Overflow> {
-    let columns = rows.columns();
-    let mut pivots = Vec::new();
-    if rows.is_empty() {
-        return Ok(Echelon { rows: Matrix::new(columns), pivots });
-    }
-    let mut work: Vec<Entries<T>> = rows.rows().map(|row| row.iter().cloned().collect()).collect();
-    for column in 0..columns {
-        let rank = pivots.len();
-        let Some(found) = (rank..work.len()).find(|row| work[*row][column].sign().is_ne()) else { continue };
-        work.swap(rank, found);
-        if work[rank][column].sign().is_lt() {
-            negate(&mut work[rank]);
+    let mut echelon = Echelon { rows: Matrix::new(rows.columns()), pivots: Vec::new() };
+    for row in rows.rows() {
+        if echelon.pivots.len() == rows.columns() {
+            break;
         }
-        T::make_primitive(&mut work[rank]);
-        let pivot_row = work[rank].clone();
-        for (index, row) in work.iter_mut().enumerate() {
-            if index != rank && row[column].sign().is_ne() {
-                *row = eliminated(row, &pivot_row, column)?;
-            }
-        }
-        pivots.push(column);
+        echelon.insert(row)?;
     }
-    Ok(Echelon { rows: Matrix::from_rows(columns, &work[..pivots.len()]), pivots })
+    Ok(echelon)
 }
 
 impl<T: Int> Echelon<T> {
+    /// Adds `row` to the span; whether it was not in there.
+    pub(super) fn insert(&mut self, row: &[T]) -> Result<bool, Overflow> {
+        let mut fresh: Entries<T> = row.iter().cloned().collect();
+        self.reduce(&mut fresh)?;
+        let Some(pivot) = fresh.iter().position(|entry| entry.sign().is_ne()) else { return Ok(false) };
+        if fresh[pivot].sign().is_lt() {
+            negate(&mut fresh);
+        }
+        for index in 0..self.rows.len() {
+            let row = self.rows.row_mut(index);
+            if row[pivot].sign().is_ne() {
+                row.clone_from_slice(&eliminated(row, &fresh, pivot)?);
+            }
+        }
+        let place = self.pivots.partition_point(|other| *other < pivot);
+        self.pivots.insert(place, pivot);
+        self.rows.insert(place, &fresh);
+        Ok(true)
+    }
+
     /// Replaces `row` by the primitive row equal to it modulo the basis with zeros in the pivot columns, which is zero
     /// if `row` is in the span.
     pub(super) fn reduce(&self, row: &mut [T]) -> Result<(), Overflow> {

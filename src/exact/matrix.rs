@@ -144,6 +144,24 @@ impl<T: Int> Matrix<T> {
         taken
     }
 
+    /// Takes row `index` out; those after it move up.
+    pub fn remove(&mut self, index: usize) -> Entries<T> {
+        let taken = self.row(index).iter().cloned().collect();
+        self.entries.drain(index * self.columns..(index + 1) * self.columns);
+        self.n_rows -= 1;
+        taken
+    }
+
+    /// Inserts a row before row `index`.
+    ///
+    /// # Panics
+    /// If the row does not have [`Matrix::columns`] entries.
+    pub fn insert(&mut self, index: usize, row: &[T]) {
+        assert_eq!(row.len(), self.columns, "a row must have as many entries as the matrix has columns");
+        self.entries.insert_many(index * self.columns, row.iter().cloned());
+        self.n_rows += 1;
+    }
+
     /// Row `index`, to be changed in place.
     pub fn row_mut(&mut self, index: usize) -> &mut [T] {
         &mut self.entries[index * self.columns..(index + 1) * self.columns]
