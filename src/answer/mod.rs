@@ -3,6 +3,7 @@
 mod critical;
 mod insert;
 mod limit;
+mod pins;
 mod polyhedron;
 mod region;
 mod suggest;
@@ -11,6 +12,10 @@ mod witness;
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
+pub use pins::{
+    ActionInterval, Decisions, HeightQuery, Obstacle, Orientation, Pin, PinAction, PinPlan, PinSearch, Pins, Symmetry,
+    ToppleInterval, Tradeoff, Wiper,
+};
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
 pub use suggest::{Proposal, Searched, Suggestion};
