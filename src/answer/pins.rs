@@ -58,6 +58,30 @@ pub struct Orientation {
     /// Heights called [`PinAction::Repeat`] although the part ducks below the pin while it settles: how fast it falls decides
     /// whether they meet again.
     pub repeat_over_dip: Vec<[Algebraic; 2]>,
+    /// The curves of the toppling graph while the part turns from here to the next stable edge; for pictures only.
+    pub curves: Vec<Curve>,
+}
+
+/// A curve of the toppling graph.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// What it says.
+    pub kind: CurveKind,
+    /// Points (turn in degrees, height), the turn ascending.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// What a curve of the toppling graph says about a turn of the part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurveKind {
+    /// Height R of the center of mass.
+    Radius,
+    /// Height V of this corner, while a pin can touch one of its edges.
+    Vertex(usize),
+    /// Height H that a pin on this edge needs to roll the part.
+    Rolling(usize),
+    /// Height J up to which a pin on this edge may jam the part while it settles.
+    Jamming(usize),
 }
 
 /// Heights at which a pin does the same.
