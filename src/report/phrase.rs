@@ -69,6 +69,16 @@ pub(super) fn proposal(proposal: &Proposal) -> String {
     format!("{fixels} and {action}: margin at least {} %", decimal::percent_at_least(&proposal.plan.margin2))
 }
 
+/// The answer of `plan pins` in one line.
+pub(super) fn pins(_ride: &super::Ride, answer: &crate::answer::Pins) -> String {
+    let end: Vec<String> = answer.plan.end.iter().map(usize::to_string).collect();
+    match (answer.plan.sequence.as_deref(), answer.plan.limit) {
+        (Some(pins), _) => format!("{} pins turn the part onto edge {}", pins.len(), joined(&end, "or")),
+        (None, None) => "no sequence of pins turns all orientations of the part into one".to_owned(),
+        (None, Some(limit)) => format!("the {} limit ended the search", limit.name()),
+    }
+}
+
 /// The answer of `plan stable` in one line.
 pub(super) fn stability(answer: &Stability) -> String {
     let strong = &answer.strong;

@@ -56,7 +56,7 @@ impl At {
 }
 
 /// How a mark is inked.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pen {
     pub(super) fill: &'static str,
     pub(super) opacity: f64,
@@ -88,6 +88,7 @@ impl Pen {
 pub(super) enum Align {
     Left,
     Middle,
+    Right,
 }
 
 /// The page.
@@ -106,6 +107,11 @@ impl Canvas {
 
     pub(super) fn line(&mut self, points: &[At], pen: Pen) {
         self.path(&polyline(points), pen);
+    }
+
+    /// Many lines as one mark.
+    pub(super) fn lines(&mut self, lines: &[Vec<At>], pen: Pen) {
+        self.path(&lines.iter().map(|line| polyline(line)).collect::<String>(), pen);
     }
 
     pub(super) fn circle(&mut self, center: At, radius: f64, pen: Pen) {
@@ -147,8 +153,10 @@ impl Canvas {
             .set("y", number(at.y + 0.35 * size))
             .set("font-size", number(size))
             .set("fill", colour);
-        if matches!(align, Align::Middle) {
-            text = text.set("text-anchor", "middle");
+        match align {
+            Align::Left => {}
+            Align::Middle => text = text.set("text-anchor", "middle"),
+            Align::Right => text = text.set("text-anchor", "end"),
         }
         if bold {
             text = text.set("font-weight", "bold");

@@ -1,7 +1,8 @@
 //! What the marks mean.
 
 use super::canvas::{Align, At, Canvas, INK, MUTED, ORANGE, Pen, RED, SKY};
-use super::view::WIDTH;
+use super::{pins, scene};
+use crate::answer::PinAction;
 
 const ROW: f64 = 20.0;
 const LEFT: f64 = 24.0;
@@ -16,6 +17,9 @@ pub(super) enum Swatch {
     Push,
     Tilt,
     CenterOfMass,
+    Line(Pen),
+    Pin,
+    PinAction(Option<PinAction>),
 }
 
 /// Marks in use, in the order of their first use.
@@ -36,14 +40,14 @@ impl Legend {
         other.entries.into_iter().for_each(|(swatch, meaning)| self.add(swatch, &meaning));
     }
 
-    /// Draws from `top` down and returns where it ends.
-    pub(super) fn draw(&self, canvas: &mut Canvas, top: f64) -> f64 {
+    /// Draws from `top` down on a page of width `page` and returns where it ends.
+    pub(super) fn draw(&self, canvas: &mut Canvas, page: f64, top: f64) -> f64 {
         let rule = Pen::stroke("#d5d9dd", 1.0);
-        canvas.line(&[At::new(LEFT, top + 6.0), At::new(WIDTH - LEFT, top + 6.0)], rule);
+        canvas.line(&[At::new(LEFT, top + 6.0), At::new(page - LEFT, top + 6.0)], rule);
         let mut at = At::new(LEFT, top + 24.0);
         for (swatch, meaning) in &self.entries {
             let width = 32.0 + 6.9 * meaning.chars().count() as f64 + 16.0;
-            if at.x + width > WIDTH - LEFT + 18.0 && at.x > LEFT {
+            if at.x + width > page - LEFT + 18.0 && at.x > LEFT {
                 at = At::new(LEFT, at.y + ROW);
             }
             sample(canvas, *swatch, At::new(at.x + 12.0, at.y));
@@ -69,6 +73,9 @@ fn sample(canvas: &mut Canvas, swatch: Swatch, at: At) {
         Swatch::Band(colour) => canvas.line(&[left, right], Pen::stroke(colour, 5.0)),
         Swatch::Push => canvas.arrow(left, right, RED, 2.6),
         Swatch::Tilt => canvas.arc(left, 21.0, -0.4, 0.8, true, Pen::fill(SKY, 0.35).outlined(SKY, 1.0)),
-        Swatch::CenterOfMass => super::scene::quartered(canvas, at),
+        Swatch::CenterOfMass => scene::quartered(canvas, at, scene::COM),
+        Swatch::Line(pen) => canvas.line(&[left, right], pen),
+        Swatch::Pin => pins::pin(canvas, at, [at.y - 8.0, at.y + 8.0]),
+        Swatch::PinAction(action) => pins::sample(canvas, at, action),
     }
 }

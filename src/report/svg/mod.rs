@@ -1,16 +1,18 @@
-//! Drawings: the part, its fixels and their friction, where to push, how to tilt.
+//! Drawings: the part, its fixels and their friction, where to push, how to tilt; pins over a conveyor.
 
 mod canvas;
 mod contact;
 mod finger;
 mod label;
 mod legend;
+mod pins;
 mod plan;
 mod scene;
 mod suggest;
 mod tilt;
 mod view;
 
+pub use pins::pins;
 pub use suggest::suggestion;
 
 use super::{Subject, phrase};

@@ -9,7 +9,7 @@ use crate::model::Part;
 use num_traits::Zero as _;
 
 /// Radius of the symbol of the center of mass.
-const COM: f64 = 6.5;
+pub(super) const COM: f64 = 6.5;
 
 /// A drawing under construction.
 pub(super) struct Scene {
@@ -41,14 +41,14 @@ impl Scene {
 
     pub(super) fn finish(mut self, name: &str, answer: &str) -> String {
         let bottom = self.close(name, answer);
-        let bottom = self.legend.draw(&mut self.canvas, bottom);
+        let bottom = self.legend.draw(&mut self.canvas, WIDTH, bottom);
         self.canvas.finish(WIDTH, bottom, name, answer)
     }
 
     /// Draws what lies above all else, and the heading; returns the lower edge.
     pub(super) fn close(&mut self, name: &str, answer: &str) -> f64 {
         self.center_of_mass();
-        self.labels.draw(&mut self.canvas, &self.view);
+        self.labels.draw(&mut self.canvas);
         self.canvas.text(At::new(24.0, 24.0), Align::Left, 17.0, INK, true, &shortened(name, 70));
         for (row, line) in wrapped(answer, 108).iter().enumerate() {
             self.canvas.text(At::new(24.0, 46.0 + 16.0 * row as f64), Align::Left, 12.5, MUTED, false, line);
@@ -69,15 +69,14 @@ impl Scene {
     }
 
     fn center_of_mass(&mut self) {
-        quartered(&mut self.canvas, self.com);
+        quartered(&mut self.canvas, self.com, COM);
         self.legend.add(Swatch::CenterOfMass, "center of mass");
     }
 
     fn scale_bar(&mut self) {
         let per_pixel = self.view.units_per_pixel();
         let wanted = per_pixel * 110.0;
-        let power = 10_f64.powf(wanted.log10().floor());
-        let length = [5.0, 2.0, 1.0].map(|m| m * power).into_iter().find(|l| *l <= wanted).unwrap_or(power);
+        let length = round_number(wanted);
         let (right, y) = (WIDTH - 24.0, self.view.bottom - 8.0);
         let left = right - length / per_pixel;
         let tick = |x: f64| [At::new(x, y - 3.5), At::new(x, y + 3.5)];
@@ -89,13 +88,19 @@ impl Scene {
     }
 }
 
+/// The largest of 1, 2 and 5 times a power of ten that is at most `wanted`.
+pub(super) fn round_number(wanted: f64) -> f64 {
+    let power = 10_f64.powf(wanted.log10().floor());
+    [5.0, 2.0, 1.0].map(|m| m * power).into_iter().find(|l| *l <= wanted).unwrap_or(power)
+}
+
 /// The usual symbol: a circle with two dark quarters.
-pub(super) fn quartered(canvas: &mut Canvas, center: At) {
+pub(super) fn quartered(canvas: &mut Canvas, center: At, radius: f64) {
     use std::f64::consts::{FRAC_PI_2, PI};
-    canvas.circle(center, COM, Pen::fill("#ffffff", 1.0));
-    canvas.arc(center, COM, 0.0, FRAC_PI_2, true, Pen::fill(INK, 1.0));
-    canvas.arc(center, COM, PI, FRAC_PI_2, true, Pen::fill(INK, 1.0));
-    canvas.circle(center, COM, Pen::stroke(INK, 1.2));
+    canvas.circle(center, radius, Pen::fill("#ffffff", 1.0));
+    canvas.arc(center, radius, 0.0, FRAC_PI_2, true, Pen::fill(INK, 1.0));
+    canvas.arc(center, radius, PI, FRAC_PI_2, true, Pen::fill(INK, 1.0));
+    canvas.circle(center, radius, Pen::stroke(INK, 1.2));
 }
 
 fn fill(canvas: &mut Canvas, outline: &Outline, pen: Pen) {
@@ -106,7 +111,7 @@ fn fill(canvas: &mut Canvas, outline: &Outline, pen: Pen) {
 }
 
 /// Breaks at spaces into at most two lines of about `width` letters.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
+pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
     if text.chars().count() <= width {
         return vec![text.to_owned()];
     }
@@ -120,7 +125,7 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
     vec![first.trim_end().to_owned(), shortened(&rest, width)]
 }
 
-fn shortened(text: &str, width: usize) -> String {
+pub(super) fn shortened(text: &str, width: usize) -> String {
     if text.chars().count() <= width {
         return text.to_owned();
     }

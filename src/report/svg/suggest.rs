@@ -33,7 +33,7 @@ pub fn suggestion(subject: &Subject, answer: &Suggestion) -> String {
         legend.extend(scene.legend);
         bottom += height;
     }
-    let bottom = legend.draw(&mut page, bottom);
+    let bottom = legend.draw(&mut page, WIDTH, bottom);
     page.finish(WIDTH, bottom, subject.name, &phrase::suggestion(answer))
 }
 

@@ -67,7 +67,7 @@ fn drawing(name: &str, radius: &Q, answer: &Insertion) -> String {
 }
 
 /// Checks nesting of elements, quoting of attributes and the escapes of text.
-fn assert_well_formed(svg: &str) {
+pub(super) fn assert_well_formed(svg: &str) {
     let mut open = Vec::new();
     let mut rest = svg;
     while let Some(start) = rest.find('<') {

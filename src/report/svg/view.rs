@@ -21,6 +21,35 @@ pub(super) enum Outline {
     Circle { center: At, radius: f64 },
 }
 
+impl Outline {
+    /// Points along the outline, close enough to test labels against.
+    pub(super) fn samples(&self) -> Vec<At> {
+        match self {
+            Outline::Polygon(corners) => {
+                let next = corners.iter().cycle().skip(1);
+                corners.iter().zip(next).flat_map(|(from, to)| along(*from, *to)).collect()
+            }
+            Outline::Circle { center, radius } => {
+                (0..240).map(|k| center.along(At::unit(f64::from(k) / 120.0 * std::f64::consts::PI), *radius)).collect()
+            }
+        }
+    }
+
+    /// Whether a point of the page lies in the part.
+    pub(super) fn covers(&self, at: At) -> bool {
+        match self {
+            Outline::Polygon(corners) => {
+                let next = corners.iter().cycle().skip(1);
+                let crossings = corners.iter().zip(next).filter(|(a, b)| {
+                    (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
+                });
+                crossings.count() % 2 == 1
+            }
+            Outline::Circle { center, radius } => at.minus(*center).length() < *radius,
+        }
+    }
+}
+
 /// Where the part lies on the page.
 pub(super) struct View {
     corner: [Q; 2],
@@ -66,33 +95,6 @@ impl View {
     /// Part units in a pixel.
     pub(super) fn units_per_pixel(&self) -> f64 {
         to_f64(&self.size) / self.pixels
-    }
-
-    /// Points along the outline, close enough to test labels against.
-    pub(super) fn samples(&self) -> Vec<At> {
-        match &self.outline {
-            Outline::Polygon(corners) => {
-                let next = corners.iter().cycle().skip(1);
-                corners.iter().zip(next).flat_map(|(from, to)| along(*from, *to)).collect()
-            }
-            Outline::Circle { center, radius } => {
-                (0..240).map(|k| center.along(At::unit(f64::from(k) / 120.0 * std::f64::consts::PI), *radius)).collect()
-            }
-        }
-    }
-
-    /// Whether a point of the page lies in the part.
-    pub(super) fn covers(&self, at: At) -> bool {
-        match &self.outline {
-            Outline::Polygon(corners) => {
-                let next = corners.iter().cycle().skip(1);
-                let crossings = corners.iter().zip(next).filter(|(a, b)| {
-                    (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
-                });
-                crossings.count() % 2 == 1
-            }
-            Outline::Circle { center, radius } => at.minus(*center).length() < *radius,
-        }
     }
 }
 

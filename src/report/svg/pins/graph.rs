@@ -1,0 +1,245 @@
+//! The toppling graph, as in Fig. 8 of the paper: heights over the turn of the part, from one stable orientation to the next.
+
+use super::super::canvas::{Align, At, BLUE, Canvas, INK, MUTED, Pen, RED};
+use super::super::label::Labels;
+use super::super::legend::{Legend, Swatch};
+use super::action::{self, Rect};
+use super::axis::{Upright, ticks};
+use super::bars::{Bar, bars};
+use super::{PAGE, Picture, SIDE, Setting};
+use crate::answer::{Curve, CurveKind, Orientation, PinAction};
+use crate::report::decimal;
+
+const HEIGHT: f64 = 290.0;
+/// Left of the curves, for the axis.
+const AXIS: f64 = 52.0;
+/// So many turns beside each other.
+const IN_A_ROW: usize = 6;
+/// No turn is narrower.
+const NARROWEST: f64 = 116.0;
+/// So many curves of a kind are drawn in a panel.
+const MOST_CURVES: usize = 24;
+/// More curves than this are not named.
+const MOST_NAMES: usize = 36;
+/// Points closer than this are one.
+const FINE: f64 = 2.0;
+/// Below a row, for its axis and the names of its panels.
+const FOOT: f64 = 62.0;
+
+/// Draws the toppling graph, in several rows if there are many orientations.
+pub(super) fn draw(setting: &Setting) -> Picture {
+    let mut remark = vec!["turn of the part to the left, from one stable orientation to the next".to_owned()];
+    remark.extend(Some(super::left_out(setting)).filter(|text| !text.is_empty()));
+    let most = setting.shown.iter().map(|orientation| step(&orientation.curves)).max().unwrap_or(1);
+    if most > 1 {
+        remark.push(format!("one curve in {most} where there are many"));
+    }
+    let mut picture = Picture::new("Toppling graph", &remark.join("; "));
+    let rows = setting.shown.len().div_ceil(IN_A_ROW).max(1);
+    let mut turned = 0.0;
+    for row in setting.shown.chunks(setting.shown.len().div_ceil(rows).max(1)) {
+        let top = picture.bottom + 24.0;
+        let upright = Upright::new(&setting.heights, top, top + HEIGHT);
+        draw_row(&mut picture, setting, upright, row, turned);
+        turned += row.iter().map(|orientation| orientation.theta_1_deg).sum::<f64>();
+        picture.bottom = upright.belt + FOOT;
+    }
+    picture
+}
+
+fn draw_row(picture: &mut Picture, setting: &Setting, upright: Upright, row: &[&Orientation], turned: f64) {
+    let (left, right) = (SIDE + AXIS, PAGE - SIDE);
+    let mut panels = Vec::new();
+    let (mut x, mut from) = (left, turned);
+    for (orientation, width) in row.iter().zip(widths(row, right - left)) {
+        let pixels = width / orientation.theta_1_deg.max(1e-9);
+        panels.push(Panel { orientation, upright, x: [x, x + width], pixels, turned: from });
+        (x, from) = (x + width, from + orientation.theta_1_deg);
+    }
+    for panel in &panels {
+        panel.shade(&mut picture.canvas, &mut picture.legend, &bars(panel.orientation, &setting.heights, &upright));
+    }
+    upright.draw(&mut picture.canvas, &setting.heights, left, right);
+    for panel in &panels {
+        panel.draw(&mut picture.canvas, &mut picture.legend, setting);
+    }
+    turns(&mut picture.canvas, &panels, upright.belt);
+}
+
+/// Widths in proportion to the turns, but wide enough for a name.
+fn widths(row: &[&Orientation], room: f64) -> Vec<f64> {
+    let mut narrow = vec![false; row.len()];
+    loop {
+        let turns: f64 = row.iter().zip(&narrow).filter(|(_, narrow)| !**narrow).map(|(o, _)| o.theta_1_deg).sum();
+        let left = room - NARROWEST * narrow.iter().filter(|narrow| **narrow).count() as f64;
+        let width = |o: &Orientation| if turns > 0.0 { left * o.theta_1_deg / turns } else { NARROWEST };
+        let before = narrow.clone();
+        for (orientation, narrow) in row.iter().zip(&mut narrow) {
+            *narrow |= width(orientation) < NARROWEST;
+        }
+        if narrow == before {
+            return row.iter().zip(narrow).map(|(o, narrow)| if narrow { NARROWEST } else { width(o) }).collect();
+        }
+    }
+}
+
+/// The turn from one stable orientation to the next.
+struct Panel<'a> {
+    orientation: &'a Orientation,
+    upright: Upright,
+    x: [f64; 2],
+    /// Pixels of a degree.
+    pixels: f64,
+    /// Degrees before this turn, from the first orientation on.
+    turned: f64,
+}
+
+impl Panel<'_> {
+    fn at_turn(&self, degrees: f64) -> f64 {
+        (self.x[0] + degrees * self.pixels).clamp(self.x[0], self.x[1])
+    }
+
+    /// Shades the heights that topple the part, or may do so.
+    fn shade(&self, canvas: &mut Canvas, legend: &mut Legend, bars: &[Bar]) {
+        for bar in bars {
+            if let Some(PinAction::PassUnder | PinAction::FallBack | PinAction::Jam) = bar.action {
+                continue;
+            }
+            action::fill(canvas, Rect::new(self.x, bar.y), bar.action);
+            legend.add(Swatch::PinAction(bar.action), action::meaning(bar.action));
+        }
+    }
+
+    fn draw(&self, canvas: &mut Canvas, legend: &mut Legend, setting: &Setting) {
+        let orientation = self.orientation;
+        let (top, belt) = (self.upright.top, self.upright.belt);
+        let frame = Pen::stroke(INK, 1.3);
+        canvas.lines(&self.x.map(|x| vec![At::new(x, top), At::new(x, belt)]), frame);
+        canvas.line(&self.x.map(|x| At::new(x, belt)), frame);
+        let tipping = self.at_turn(orientation.theta_t_deg);
+        let dashed = Pen { dash: "6 4", ..Pen::stroke(INK, 1.2) };
+        canvas.line(&[At::new(tipping, top), At::new(tipping, belt)], dashed);
+        legend.add(Swatch::Line(dashed), "\u{3b8}t: center of mass over the pivot");
+
+        let mut labels = Labels::within([At::new(self.x[0] + 2.0, top), At::new(self.x[1] - 2.0, belt - 2.0)]);
+        labels.avoid(&column(self.x[0], top, belt));
+        labels.avoid(&column(self.x[1], top, belt));
+        labels.avoid(&column(tipping, top, belt));
+        let step = step(&orientation.curves);
+        let mut lines: Vec<(CurveKind, Vec<At>)> = Vec::new();
+        for curve in orientation.curves.iter().filter(|curve| number(curve.kind).is_none_or(|n| n % step == 0)) {
+            lines.push((curve.kind, self.line(curve, setting)));
+        }
+        // those that decide come last, over the others
+        lines.sort_by_key(|(kind, _)| matches!(kind, CurveKind::Rolling(_) | CurveKind::Jamming(_)));
+        for (kind, line) in &lines {
+            let pen = pen(*kind);
+            canvas.line(line, Pen::stroke("#ffffff", pen.width + 2.0));
+            canvas.line(line, pen);
+            legend.add(Swatch::Line(pen), meaning(*kind));
+            labels.avoid(
+                &line.windows(2).flat_map(|ends| super::super::view::along(ends[0], ends[1])).collect::<Vec<_>>(),
+            );
+        }
+        if lines.len() <= MOST_NAMES {
+            for (kind, line) in lines.iter().rev() {
+                let anchors = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| line.get((share * line.len() as f64) as usize));
+                labels.offer(anchors.into_iter().flatten().copied().collect(), pen(*kind).stroke, name(*kind));
+            }
+        }
+        labels.draw(canvas);
+        self.title(canvas);
+    }
+
+    /// The curve on the page, without points that cannot be told apart.
+    fn line(&self, curve: &Curve, setting: &Setting) -> Vec<At> {
+        let mut line: Vec<At> = Vec::new();
+        let last = curve.points.len().saturating_sub(1);
+        for (index, [turn, height]) in curve.points.iter().enumerate() {
+            let Some(share) = setting.heights.share_near(*height) else { continue };
+            let at = At::new(self.at_turn(*turn), self.upright.y(share));
+            if index == last || line.last().is_none_or(|before| at.minus(*before).length() >= FINE) {
+                line.push(at);
+            }
+        }
+        line
+    }
+
+    fn title(&self, canvas: &mut Canvas) {
+        let Orientation { edge, next, theta_t_deg, theta_1_deg, .. } = self.orientation;
+        let at = At::new((self.x[0] + self.x[1]) / 2.0, self.upright.belt + 31.0);
+        canvas.text(at, Align::Middle, 12.0, INK, true, &format!("edge {edge} \u{2192} {next}"));
+        let [tipping, landing] = [theta_t_deg, theta_1_deg].map(|degrees| decimal::near(*degrees, 3));
+        let turns = format!("\u{3b8}t {tipping}\u{b0}, \u{3b8}1 {landing}\u{b0}");
+        canvas.text(At::new(at.x, at.y + 15.0), Align::Middle, 11.0, MUTED, false, &turns);
+    }
+}
+
+/// The axis of turns below a row of panels, counted from the first orientation.
+fn turns(canvas: &mut Canvas, panels: &[Panel], belt: f64) {
+    let (Some(first), Some(last)) = (panels.first(), panels.last()) else { return };
+    let end = last.turned + last.orientation.theta_1_deg;
+    let mut marks = Vec::new();
+    let mut free = 0.0;
+    for degrees in ticks(end, (end - first.turned) / 12.0) {
+        let panel = panels.iter().rev().find(|panel| panel.turned <= degrees);
+        let Some(panel) = panel else { continue };
+        let x = panel.at_turn(degrees - panel.turned);
+        marks.push(vec![At::new(x, belt), At::new(x, belt + 5.0)]);
+        let text = format!("{}\u{b0}", decimal::near(degrees, 6));
+        if x > free {
+            canvas.text(At::new(x, belt + 13.0), Align::Middle, 11.0, MUTED, false, &text);
+            free = x + 7.0 * text.chars().count() as f64;
+        }
+    }
+    canvas.lines(&marks, Pen::stroke(INK, 1.0));
+}
+
+/// One curve in so many is drawn.
+fn step(curves: &[Curve]) -> usize {
+    let of = |kind: fn(&CurveKind) -> bool| curves.iter().filter(|curve| kind(&curve.kind)).count();
+    let most = [
+        of(|kind| matches!(kind, CurveKind::Vertex(_))),
+        of(|kind| matches!(kind, CurveKind::Rolling(_))),
+        of(|kind| matches!(kind, CurveKind::Jamming(_))),
+    ];
+    most.into_iter().fold(1, |step, count| step.max(count.div_ceil(MOST_CURVES)))
+}
+
+fn number(kind: CurveKind) -> Option<usize> {
+    match kind {
+        CurveKind::Radius => None,
+        CurveKind::Vertex(number) | CurveKind::Rolling(number) | CurveKind::Jamming(number) => Some(number),
+    }
+}
+
+fn pen(kind: CurveKind) -> Pen {
+    match kind {
+        CurveKind::Radius => Pen { dash: "8 3 2 3", ..Pen::stroke(MUTED, 1.6) },
+        CurveKind::Vertex(_) => Pen::stroke(INK, 1.1),
+        CurveKind::Rolling(_) => Pen::stroke(RED, 2.2),
+        CurveKind::Jamming(_) => Pen { dash: "5 2", ..Pen::stroke(BLUE, 2.2) },
+    }
+}
+
+fn name(kind: CurveKind) -> String {
+    match kind {
+        CurveKind::Radius => "R".to_owned(),
+        CurveKind::Vertex(corner) => format!("V{corner}"),
+        CurveKind::Rolling(edge) => format!("H{edge}"),
+        CurveKind::Jamming(edge) => format!("J{edge}"),
+    }
+}
+
+fn meaning(kind: CurveKind) -> &'static str {
+    match kind {
+        CurveKind::Radius => "R: center of mass",
+        CurveKind::Vertex(_) => "V: corner",
+        CurveKind::Rolling(_) => "H: an edge must be met above this to roll",
+        CurveKind::Jamming(_) => "J: below this it may jam",
+    }
+}
+
+fn column(x: f64, top: f64, belt: f64) -> Vec<At> {
+    super::super::view::along(At::new(x, top), At::new(x, belt))
+}
