@@ -77,14 +77,20 @@ impl Labels {
         for label in &self.wanted {
             let half = At::new(0.29 * label.size * label.text.chars().count() as f64 + 1.0, 0.5 * label.size + 1.0);
             let turns = (0..4).flat_map(|ring| (0..24).map(move |turn| (ring, turn)));
-            let candidates = label.anchors.iter().flat_map(|anchor| turns.clone().map(move |turn| (*anchor, turn)));
+            let reach = label.distance + 20.0 + half.x + half.x.max(half.y);
+            let near = |anchor: At| {
+                let near = |at: &&At| (at.x - anchor.x).abs() <= reach && (at.y - anchor.y).abs() <= reach;
+                self.obstacles.iter().filter(near).copied().collect::<Vec<_>>()
+            };
+            let anchors: Vec<(At, Vec<At>)> = label.anchors.iter().map(|anchor| (*anchor, near(*anchor))).collect();
+            let candidates = anchors.iter().flat_map(|anchor| turns.clone().map(move |turn| (anchor, turn)));
             let best = candidates
-                .map(|(anchor, (ring, turn))| {
+                .map(|((anchor, obstacles), (ring, turn))| {
                     let angle = f64::from(turn) * std::f64::consts::PI / 12.0;
                     let toward = turned_by(label.toward, angle);
                     let at = anchor.along(toward, label.distance + 6.0 * f64::from(ring) + half.x * toward.x.abs());
                     let away = 1.0 - angle.cos();
-                    (self.cost(at, half, &taken) + 14.0 * away + 5.0 * f64::from(ring), at)
+                    (self.cost(at, half, obstacles, &taken) + 14.0 * away + 5.0 * f64::from(ring), at)
                 })
                 .min_by(|a, b| a.0.total_cmp(&b.0));
             let Some((_, at)) = best.filter(|(cost, _)| !label.optional || *cost < NO_ROOM) else { continue };
@@ -93,9 +99,9 @@ impl Labels {
         }
     }
 
-    fn cost(&self, at: At, half: At, taken: &[(At, At)]) -> f64 {
+    fn cost(&self, at: At, half: At, obstacles: &[At], taken: &[(At, At)]) -> f64 {
         let near = |point: &At| (point.x - at.x).abs() < half.x + 2.0 && (point.y - at.y).abs() < half.y + 2.0;
-        let struck = self.obstacles.iter().filter(|point| near(point)).count() as f64;
+        let struck = obstacles.iter().filter(|point| near(point)).count() as f64;
         let overlaps = taken
             .iter()
             .filter(|(other, size)| {

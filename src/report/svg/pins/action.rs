@@ -1,6 +1,7 @@
 //! How actions look: black, heavy, light and white as in Fig. 9 of the paper, so that a print without colours will do.
 
 use super::super::canvas::{At, Canvas, INK, Pen};
+use super::super::legend::Swatch;
 use crate::answer::PinAction;
 
 /// A rectangle of the page: its upper left and lower right corner.
@@ -51,13 +52,18 @@ pub(super) fn ink(action: Option<PinAction>) -> &'static str {
     if action == Some(PinAction::Jam) { "#ffffff" } else { INK }
 }
 
+/// The legend's mark of an action: one for both that leave the part as it is.
+pub(super) fn swatch(action: Option<PinAction>) -> Swatch {
+    Swatch::PinAction(if action == Some(PinAction::FallBack) { Some(PinAction::PassUnder) } else { action })
+}
+
 /// What an action means.
 pub(super) fn meaning(action: Option<PinAction>) -> &'static str {
     match action {
         Some(PinAction::Jam) => "jam: the part is stuck",
         Some(PinAction::Repeat) => "repeat: it topples and meets the pin again",
         Some(PinAction::Pass) => "pass: it topples and leaves the pin behind",
-        Some(PinAction::PassUnder | PinAction::FallBack) => "it falls back or passes under: as before",
+        Some(PinAction::PassUnder | PinAction::FallBack) => "pass-under, fall-back: it stays as it is",
         None => "uncertain: depends on what the case leaves open",
     }
 }

@@ -8,7 +8,7 @@ use crate::model::LengthUnit;
 use crate::report::decimal;
 use num_traits::{One as _, Signed as _};
 
-/// What is drawn above the tallest orientation, as a share of it.
+/// Room above the highest, as a share of it.
 const ABOVE: f64 = 0.07;
 
 /// The scale of heights: shares of the larger side of the part.
@@ -48,7 +48,7 @@ impl Heights {
     }
 }
 
-/// An upright axis of heights: the belt at `belt`, all orientations between it and `top`.
+/// An upright axis of heights, the belt at `belt`.
 #[derive(Clone, Copy)]
 pub(super) struct Upright {
     pub(super) belt: f64,
@@ -58,8 +58,9 @@ pub(super) struct Upright {
 }
 
 impl Upright {
-    pub(super) fn new(heights: &Heights, top: f64, belt: f64) -> Self {
-        Self { belt, top, pixels: (belt - top) / (heights.tallest * (1.0 + ABOVE)) }
+    /// An axis with room for heights up to `highest`, a share.
+    pub(super) fn new(top: f64, belt: f64, highest: f64) -> Self {
+        Self { belt, top, pixels: (belt - top) / (highest * (1.0 + ABOVE)) }
     }
 
     pub(super) fn y(&self, share: f64) -> f64 {

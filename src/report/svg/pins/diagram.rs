@@ -1,14 +1,14 @@
 //! The pin action diagram, as in Fig. 9 of the paper: what a pin of any height does to every orientation.
 
-use super::super::canvas::{Align, At, Canvas, GREEN, INK, MUTED, ORANGE, Pen};
+use super::super::canvas::{Align, At, INK, MUTED, ORANGE, Pen};
 use super::super::legend::Swatch;
 use super::super::scene::shortened;
 use super::action::{self, Rect};
 use super::axis::Upright;
 use super::bars::bars;
+use super::planned::{self, Planned, planned};
 use super::{PAGE, Picture, SIDE, Setting};
 use crate::answer::{Orientation, PinAction};
-use crate::exact::Q;
 use crate::report::{decimal, phrase};
 
 const HEIGHT: f64 = 290.0;
@@ -16,6 +16,8 @@ const HEIGHT: f64 = 290.0;
 const AXIS: f64 = 52.0;
 /// Right of the bars, for the names of the pins.
 const NAMES: f64 = 190.0;
+/// Of a column with the space beside its bars.
+const WIDEST: f64 = 190.0;
 /// Between the names of two pins.
 const LINE: f64 = 14.0;
 /// So many heights of pins have room beside the bars.
@@ -23,101 +25,126 @@ const MOST_LINES: usize = (HEIGHT / LINE) as usize;
 
 /// Draws the pin action diagram with the planned pins.
 pub(super) fn draw(setting: &Setting) -> Picture {
-    let planned = planned(setting);
+    let planned = planned(setting.answer);
     let mut remark = super::left_out(setting);
     if planned.len() > MOST_LINES {
         let also = format!("the first {MOST_LINES} of {} heights of pins", planned.len());
         remark = if remark.is_empty() { also } else { format!("{remark}; {also}") };
     }
+    let planned = &planned[..planned.len().min(MOST_LINES)];
     let mut picture = Picture::new("Pin action diagram", &remark);
     let top = picture.bottom + 24.0;
-    let upright = Upright::new(&setting.heights, top, top + HEIGHT);
-    let (left, right) = (SIDE + AXIS, PAGE - SIDE - NAMES);
+    let upright = Upright::new(top, top + HEIGHT, setting.heights.tallest);
+    let left = SIDE + AXIS;
+    let room = PAGE - SIDE - left - if planned.is_empty() { 0.0 } else { NAMES };
+    let pitch = (room / setting.shown.len().max(1) as f64).min(WIDEST);
+    let right = left + pitch * setting.shown.len() as f64;
     upright.draw(&mut picture.canvas, &setting.heights, left, right);
-    let pitch = ((right - left) / setting.shown.len().max(1) as f64).min(190.0);
+    let heights: Vec<f64> = planned.iter().map(|pin| upright.y(setting.heights.share_of(pin.height))).collect();
     for (column, orientation) in setting.shown.iter().enumerate() {
         let middle = left + pitch * (column as f64 + 0.5);
         let half = (0.36 * pitch).min(46.0);
-        bar(&mut picture, setting, &upright, orientation, [middle - half, middle + half]);
-        let name = |canvas: &mut Canvas, down: f64, colour, bold, text: &str| {
-            canvas.text(At::new(middle, upright.belt + down), Align::Middle, 12.0, colour, bold, text);
-        };
-        name(&mut picture.canvas, 13.0, INK, true, &format!("edge {}", orientation.edge));
-        name(&mut picture.canvas, 28.0, MUTED, false, &format!("topples onto {}", orientation.next));
+        draw_bars(&mut picture, setting, &upright, orientation, [middle - half, middle + half], &heights);
+        let at = |down: f64| At::new(middle, upright.belt + down);
+        picture.canvas.text(at(14.0), Align::Middle, 12.0, INK, true, &format!("edge {}", orientation.edge));
+        picture.canvas.text(at(29.0), Align::Middle, 11.0, MUTED, false, &format!("\u{2192} {}", orientation.next));
     }
     picture.canvas.line(&[At::new(left, upright.belt), At::new(right, upright.belt)], Pen::stroke(INK, 1.3));
-    let end = left + pitch * setting.shown.len() as f64;
-    lines(&mut picture, setting, &upright, [left, end], &planned[..planned.len().min(MOST_LINES)]);
+    lines(&mut picture, setting, &upright, [left, right], planned, &heights);
     picture.bottom = upright.belt + 44.0;
     picture
 }
 
-fn bar(picture: &mut Picture, setting: &Setting, upright: &Upright, orientation: &Orientation, x: [f64; 2]) {
+/// The bars of one orientation, named where there is room between the lines of planned pins.
+fn draw_bars(
+    picture: &mut Picture,
+    setting: &Setting,
+    upright: &Upright,
+    orientation: &Orientation,
+    x: [f64; 2],
+    lines: &[f64],
+) {
     for bar in bars(orientation, &setting.heights, upright) {
         let rect = Rect::new(x, bar.y);
         action::fill(&mut picture.canvas, rect, bar.action);
         picture.canvas.polygon(&rect.corners(), Pen::stroke(INK, 0.8));
-        picture.legend.add(Swatch::PinAction(bar.action), action::meaning(bar.action));
+        picture.legend.add(action::swatch(bar.action), action::meaning(bar.action));
         let name = bar.action.map_or("uncertain", PinAction::name);
-        let room = bar.y[1] - bar.y[0] > 15.0 && x[1] - x[0] > 6.0 * name.chars().count() as f64 + 4.0;
-        if room {
-            let at = At::new((x[0] + x[1]) / 2.0, (bar.y[0] + bar.y[1]) / 2.0);
-            if bar.action.is_none() {
-                let half = 3.0 * name.chars().count() as f64 + 3.0;
-                let behind = Rect::new([at.x - half, at.x + half], [at.y - 7.0, at.y + 7.0]);
-                picture.canvas.polygon(&behind.corners(), Pen::fill("#ffffff", 1.0));
-            }
-            picture.canvas.text(at, Align::Middle, 11.0, action::ink(bar.action), false, name);
+        let [top, bottom] = widest_between(bar.y, lines);
+        let half = 3.0 * name.chars().count() as f64 + 2.0;
+        if bottom - top < 15.0 || x[1] - x[0] < 2.0 * half {
+            continue;
         }
+        let at = At::new((x[0] + x[1]) / 2.0, (top + bottom) / 2.0);
+        if bar.action.is_none() {
+            let behind = Rect::new([at.x - half, at.x + half], [at.y - 7.0, at.y + 7.0]);
+            picture.canvas.polygon(&behind.corners(), Pen::fill("#ffffff", 1.0));
+        }
+        picture.canvas.text(at, Align::Middle, 11.0, action::ink(bar.action), false, name);
     }
     for [from, to] in &orientation.repeat_over_dip {
         let [low, high] = [from, to].map(|end| upright.y(setting.heights.share(end)));
         let pen = Pen::stroke(ORANGE, 4.0);
-        picture.canvas.line(&[At::new(x[1] + 3.0, low), At::new(x[1] + 3.0, high)], pen);
+        picture.canvas.line(&[At::new(x[1] + 4.0, low), At::new(x[1] + 4.0, high)], pen);
         picture.legend.add(Swatch::Line(pen), "ducks below the pin while it settles: better avoided");
     }
 }
 
-/// Heights of planned pins from the belt up, and which pins have them, counted from one.
-fn planned<'a>(setting: &Setting<'a>) -> Vec<(&'a Q, &'a Q, Vec<String>)> {
-    let mut planned: Vec<(&Q, &Q, Vec<String>)> = Vec::new();
-    for (index, pin) in setting.answer.plan.sequence.iter().flatten().enumerate() {
-        let number = (index + 1).to_string();
-        match planned.iter_mut().find(|(height, ..)| *height == &pin.height) {
-            Some((_, _, numbers)) => numbers.push(number),
-            None => planned.push((&pin.height, &pin.tolerance, vec![number])),
-        }
+/// The widest part of a bar without a line, from its upper end to its lower one.
+fn widest_between([top, bottom]: [f64; 2], lines: &[f64]) -> [f64; 2] {
+    // the lines come from the belt up
+    let inside = lines.iter().rev().filter(|y| (top..bottom).contains(*y));
+    let mut parts = vec![[top, bottom]];
+    for y in inside {
+        parts.last_mut().expect("starts with one")[1] = y - 3.0;
+        parts.push([y + 3.0, bottom]);
     }
-    planned.sort_by_key(|(height, ..)| *height);
-    planned
+    parts.into_iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0]))).expect("starts with one")
 }
 
 /// A line through all columns for each height, and its name to the right of them, clear of the other names.
-fn lines(picture: &mut Picture, setting: &Setting, upright: &Upright, x: [f64; 2], planned: &[(&Q, &Q, Vec<String>)]) {
+fn lines(
+    picture: &mut Picture,
+    setting: &Setting,
+    upright: &Upright,
+    [left, right]: [f64; 2],
+    planned: &[Planned],
+    heights: &[f64],
+) {
     let unit = setting.heights.unit;
-    let mut lowest = upright.belt;
-    let mut names = Vec::new();
-    for (height, _, _) in planned {
-        let y = upright.y(setting.heights.share_of(height));
-        let name = y.min(lowest);
-        names.push([y, name]);
-        lowest = name - LINE;
+    for ((planned, y), name) in planned.iter().zip(heights).zip(apart(heights, upright)) {
+        let line =
+            [At::new(left, *y), At::new(right + 6.0, *y), At::new(right + 18.0, name), At::new(right + 22.0, name)];
+        picture.canvas.line(&line[..2], Pen::stroke("#ffffff", 4.4));
+        picture.canvas.line(&line, planned::pen());
+        picture.legend.add(Swatch::Line(planned::pen()), "planned pin, with a dot where the part may meet it");
+        for (column, _) in setting.shown.iter().enumerate().filter(|(_, shown)| planned.met.contains(&shown.edge)) {
+            let middle = left + (right - left) / setting.shown.len() as f64 * (column as f64 + 0.5);
+            let dot = Pen::fill(planned::pen().stroke, 1.0).outlined("#ffffff", 1.2);
+            picture.canvas.circle(At::new(middle, *y), 4.6, dot);
+        }
+        let word = if planned.pins.len() == 1 { "pin" } else { "pins" };
+        let which = format!("{word} {}", phrase::joined(&planned.pins, "and"));
+        let tolerance = decimal::root_at_least(&(planned.tolerance * planned.tolerance));
+        let place = format!("{} \u{b1} {tolerance} {unit}", decimal::brief(planned.height));
+        let text = format!("{}: {place}", shortened(&which, 14));
+        picture.canvas.text(At::new(right + 26.0, name), Align::Left, 12.0, INK, false, &text);
     }
-    // names that were pushed over the upper end come down again, all of them having room together
+}
+
+/// Places for names beside `heights`, which come from the belt up: a line apart, no higher than the diagram.
+fn apart(heights: &[f64], upright: &Upright) -> Vec<f64> {
+    let mut lowest = upright.belt;
+    let mut names: Vec<f64> = Vec::new();
+    for y in heights {
+        names.push(y.min(lowest));
+        lowest = y.min(lowest) - LINE;
+    }
+    // those pushed over the upper end come down again: all of them have room together
     let mut highest = upright.top;
-    for [_, name] in names.iter_mut().rev() {
+    for name in names.iter_mut().rev() {
         *name = name.max(highest);
         highest = *name + LINE;
     }
-    for ((height, tolerance, numbers), [y, name]) in planned.iter().zip(names) {
-        let line = [At::new(x[0], y), At::new(x[1] + 6.0, y), At::new(x[1] + 18.0, name), At::new(x[1] + 22.0, name)];
-        picture.canvas.line(&line[..2], Pen::stroke("#ffffff", 4.4));
-        picture.canvas.line(&line, Pen::stroke(GREEN, 2.0));
-        let pins = if numbers.len() == 1 { "pin" } else { "pins" };
-        let tolerance = decimal::root_at_least(&(*tolerance * *tolerance));
-        let which = format!("{pins} {}", phrase::joined(numbers, "and"));
-        let text = format!("{}: {} \u{b1} {tolerance} {unit}", shortened(&which, 14), decimal::brief(height));
-        picture.canvas.text(At::new(x[1] + 26.0, name), Align::Left, 12.0, INK, false, &text);
-        picture.legend.add(Swatch::Line(Pen::stroke(GREEN, 2.0)), "planned pin");
-    }
+    names
 }

@@ -3,9 +3,11 @@
 use super::super::canvas::{Align, At, BLUE, Canvas, INK, MUTED, Pen, RED};
 use super::super::label::Labels;
 use super::super::legend::{Legend, Swatch};
+use super::super::view;
 use super::action::{self, Rect};
 use super::axis::{Upright, ticks};
 use super::bars::{Bar, bars};
+use super::planned::{self, planned};
 use super::{PAGE, Picture, SIDE, Setting};
 use crate::answer::{Curve, CurveKind, Orientation, PinAction};
 use crate::report::decimal;
@@ -28,7 +30,7 @@ const FOOT: f64 = 62.0;
 
 /// Draws the toppling graph, in several rows if there are many orientations.
 pub(super) fn draw(setting: &Setting) -> Picture {
-    let mut remark = vec!["turn of the part to the left, from one stable orientation to the next".to_owned()];
+    let mut remark = vec!["turn of the part, counter-clockwise, from one stable orientation to the next".to_owned()];
     remark.extend(Some(super::left_out(setting)).filter(|text| !text.is_empty()));
     let most = setting.shown.iter().map(|orientation| step(&orientation.curves)).max().unwrap_or(1);
     if most > 1 {
@@ -37,9 +39,12 @@ pub(super) fn draw(setting: &Setting) -> Picture {
     let mut picture = Picture::new("Toppling graph", &remark.join("; "));
     let rows = setting.shown.len().div_ceil(IN_A_ROW).max(1);
     let mut turned = 0.0;
+    let points = setting.shown.iter().flat_map(|orientation| &orientation.curves).flat_map(|curve| &curve.points);
+    let highest = points.filter_map(|[_, height]| setting.heights.share_near(*height));
+    let highest = highest.fold(setting.heights.tallest, f64::max);
     for row in setting.shown.chunks(setting.shown.len().div_ceil(rows).max(1)) {
         let top = picture.bottom + 24.0;
-        let upright = Upright::new(&setting.heights, top, top + HEIGHT);
+        let upright = Upright::new(top, top + HEIGHT, highest);
         draw_row(&mut picture, setting, upright, row, turned);
         turned += row.iter().map(|orientation| orientation.theta_1_deg).sum::<f64>();
         picture.bottom = upright.belt + FOOT;
@@ -106,7 +111,7 @@ impl Panel<'_> {
                 continue;
             }
             action::fill(canvas, Rect::new(self.x, bar.y), bar.action);
-            legend.add(Swatch::PinAction(bar.action), action::meaning(bar.action));
+            legend.add(action::swatch(bar.action), action::meaning(bar.action));
         }
     }
 
@@ -125,10 +130,20 @@ impl Panel<'_> {
         labels.avoid(&column(self.x[0], top, belt));
         labels.avoid(&column(self.x[1], top, belt));
         labels.avoid(&column(tipping, top, belt));
+        for pin in planned(setting.answer).iter().filter(|pin| pin.met.contains(&orientation.edge)) {
+            let y = self.upright.y(setting.heights.share_of(pin.height));
+            let line = self.x.map(|x| At::new(x, y));
+            canvas.line(&line, planned::pen());
+            labels.avoid(&view::along(line[0], line[1]));
+            legend.add(Swatch::Line(planned::pen()), "planned pin that the part may meet");
+        }
         let step = step(&orientation.curves);
         let mut lines: Vec<(CurveKind, Vec<At>)> = Vec::new();
         for curve in orientation.curves.iter().filter(|curve| number(curve.kind).is_none_or(|n| n % step == 0)) {
-            lines.push((curve.kind, self.line(curve, setting)));
+            let line = self.line(curve, setting);
+            if line.len() > 1 {
+                lines.push((curve.kind, line));
+            }
         }
         // those that decide come last, over the others
         lines.sort_by_key(|(kind, _)| matches!(kind, CurveKind::Rolling(_) | CurveKind::Jamming(_)));
@@ -137,9 +152,7 @@ impl Panel<'_> {
             canvas.line(line, Pen::stroke("#ffffff", pen.width + 2.0));
             canvas.line(line, pen);
             legend.add(Swatch::Line(pen), meaning(*kind));
-            labels.avoid(
-                &line.windows(2).flat_map(|ends| super::super::view::along(ends[0], ends[1])).collect::<Vec<_>>(),
-            );
+            labels.avoid(&line.windows(2).flat_map(|ends| view::along(ends[0], ends[1])).collect::<Vec<_>>());
         }
         if lines.len() <= MOST_NAMES {
             for (kind, line) in lines.iter().rev() {
@@ -233,13 +246,13 @@ fn name(kind: CurveKind) -> String {
 
 fn meaning(kind: CurveKind) -> &'static str {
     match kind {
-        CurveKind::Radius => "R: center of mass",
-        CurveKind::Vertex(_) => "V: corner",
-        CurveKind::Rolling(_) => "H: an edge must be met above this to roll",
-        CurveKind::Jamming(_) => "J: below this it may jam",
+        CurveKind::Radius => "R: height of the center of mass",
+        CurveKind::Vertex(_) => "V: height of a corner",
+        CurveKind::Rolling(_) => "H: a pin on this edge must be higher to roll the part",
+        CurveKind::Jamming(_) => "J: a lower pin on this edge may jam it",
     }
 }
 
 fn column(x: f64, top: f64, belt: f64) -> Vec<At> {
-    super::super::view::along(At::new(x, top), At::new(x, belt))
+    view::along(At::new(x, top), At::new(x, belt))
 }

@@ -5,6 +5,7 @@ mod axis;
 mod bars;
 mod diagram;
 mod graph;
+mod planned;
 mod pose;
 mod sequence;
 

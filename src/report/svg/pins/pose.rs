@@ -1,6 +1,6 @@
 //! The hull on the belt, and with the numbers of its corners.
 
-use super::super::canvas::{At, Canvas, INK, MUTED, PART, Pen};
+use super::super::canvas::{Align, At, Canvas, INK, MUTED, PART, Pen};
 use super::super::finger::outward;
 use super::super::label::Labels;
 use super::super::scene::quartered;
@@ -9,8 +9,6 @@ use super::Setting;
 use crate::exact::{Q, to_f64};
 use crate::geometry::difference;
 
-/// The belt under the parts.
-pub(super) const BELT: Pen = Pen { fill: "none", opacity: 1.0, stroke: MUTED, width: 2.4, dash: "" };
 /// More corners than this are not numbered.
 const MOST_NUMBERS: usize = 16;
 const COM: f64 = 4.5;
@@ -80,9 +78,11 @@ pub(super) fn key(canvas: &mut Canvas, setting: &Setting, frame: [At; 2]) {
         let (here, next, before) = (corners[corner], corners[(corner + 1) % n], corners[(corner + n - 1) % n]);
         let (after, into) = (outward([here, next]), outward([before, here]));
         let toward = At::new(after.x + into.x, after.y + into.y).normalized();
-        labels.want(here, toward, 9.0, INK, false, format!("v{corner}"));
+        labels.want(here, toward, 9.0, INK, false, format!("V{corner}"));
         let middle = here.along(next.minus(here), 0.5);
-        labels.want(middle, outward([here, next]), 8.0, MUTED, false, corner.to_string());
+        labels.want(middle, outward([here, next]), 8.0, MUTED, false, format!("e{corner}"));
     }
     labels.draw(canvas);
+    let below = At::new(foot.x, foot.y + 36.0);
+    canvas.text(below, Align::Middle, 11.0, MUTED, false, "corners V, edges e");
 }

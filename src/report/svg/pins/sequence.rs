@@ -2,7 +2,7 @@
 
 use super::super::canvas::{Align, At, Canvas, GREEN, INK, MUTED, Pen};
 use super::super::legend::Swatch;
-use super::pose::{BELT, Pose, key};
+use super::pose::{Pose, key};
 use super::{PAGE, Picture, SIDE, Setting};
 use crate::answer::{Orientation, Pin};
 use crate::report::decimal;
@@ -32,7 +32,7 @@ pub(in super::super) fn pin(canvas: &mut Canvas, at: At, band: [f64; 2]) {
     let corner = |x: f64, y: f64| At::new(at.x + x * BAND, y);
     let corners = [corner(-1.0, top), corner(1.0, top), corner(1.0, bottom), corner(-1.0, bottom)];
     canvas.polygon(&corners, Pen::fill(GREEN, 0.3).outlined(GREEN, 1.0));
-    canvas.circle(at, 3.4, Pen::fill(INK, 1.0));
+    canvas.circle(at, 2.8, Pen::fill(INK, 1.0));
 }
 
 fn orientations(setting: &Setting) -> Picture {
@@ -45,7 +45,7 @@ fn orientations(setting: &Setting) -> Picture {
     for (row, orientations) in setting.shown.chunks(columns).enumerate() {
         let belt = grid.belt(top, row);
         let end = left + grid.column * orientations.len() as f64;
-        picture.canvas.line(&[At::new(left, belt), At::new(end, belt)], BELT);
+        draw_belt(&mut picture.canvas, belt, [left, end]);
         for (column, orientation) in orientations.iter().enumerate() {
             grid.part(&mut picture.canvas, setting, column, belt, orientation.edge);
         }
@@ -63,7 +63,7 @@ fn rows(setting: &Setting, pins: &[Pin]) -> Picture {
     let remark = remark(setting, &[moving, if drawn.len() < pins.len() { &fewer } else { "" }]);
     let mut picture = Picture::new("Sequence of pins", &remark);
     let left = SIDE + KEY;
-    let grid = Grid::new(setting, left, drawn.len() + 1, 2.0 * BAND + 14.0, 420.0 / setting.shown.len() as f64);
+    let grid = Grid::new(setting, left, drawn.len() + 1, 2.0 * BAND + 14.0, 600.0 / setting.shown.len() as f64);
     let top = picture.bottom + 56.0;
     let bottom = top + grid.pitch * setting.shown.len() as f64;
     for (index, pin) in drawn.iter().enumerate() {
@@ -74,7 +74,7 @@ fn rows(setting: &Setting, pins: &[Pin]) -> Picture {
     }
     for (row, orientation) in setting.shown.iter().enumerate() {
         let belt = grid.belt(top, row);
-        picture.canvas.line(&[At::new(left, belt), At::new(PAGE - SIDE, belt)], BELT);
+        draw_belt(&mut picture.canvas, belt, [left, PAGE - SIDE]);
         for (column, edge) in way(setting, orientation, drawn).into_iter().enumerate() {
             grid.part(&mut picture.canvas, setting, column, belt, edge);
         }
@@ -93,9 +93,14 @@ fn rows(setting: &Setting, pins: &[Pin]) -> Picture {
     close(picture, setting, top)
 }
 
+/// The belt, with an arrow to where it moves.
+fn draw_belt(canvas: &mut Canvas, y: f64, [left, right]: [f64; 2]) {
+    canvas.arrow(At::new(left, y), At::new(right, y), MUTED, 2.4);
+}
+
 fn close(mut picture: Picture, setting: &Setting, top: f64) -> Picture {
     picture.legend.add(Swatch::CenterOfMass, "center of mass");
-    let frame = [At::new(SIDE, top), At::new(SIDE + KEY - 20.0, picture.bottom.min(top + KEY))];
+    let frame = [At::new(SIDE, top), At::new(SIDE + KEY - 20.0, (top + KEY).min(picture.bottom - 14.0))];
     key(&mut picture.canvas, setting, frame);
     picture
 }
@@ -142,7 +147,7 @@ struct Grid {
 impl Grid {
     fn new(setting: &Setting, left: f64, columns: usize, beside: f64, tallest: f64) -> Self {
         let column = (PAGE - SIDE - left) / columns as f64;
-        let pitch = tallest.clamp(60.0, 130.0);
+        let pitch = tallest.clamp(66.0, 140.0);
         let widest = setting.shown.iter().map(|shown| Pose::new(setting, shown.edge).half).fold(1e-9, f64::max);
         let wide = (column - beside - 24.0) / (2.0 * widest);
         let pixels = wide.min((pitch - FOOT - 12.0) / setting.heights.tallest);
