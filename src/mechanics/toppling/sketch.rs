@@ -41,15 +41,16 @@ impl Sketch {
         let n = part.pivoting.corners.len();
         for (index, (edge, name)) in part.edges.iter().zip(&part.names).enumerate() {
             let faced = edge.faced(span);
-            let mut corner = |name: usize, curve: &Rc<Curve>| {
-                let points = part.points(&faced).map(|(degrees, t)| [degrees, value(curve, t)]).collect();
+            let mut corner = |name: usize, curve: &Rc<Curve>, seen: &Span| {
+                let points = part.points(seen).map(|(degrees, t)| [degrees, value(curve, t)]).collect();
                 self.corners.push((name, points));
             };
-            if index > 0 {
-                corner(*name, &edge.bottom);
+            if let Some(below) = index.checked_sub(1).map(|below| part.edges[below].faced(span)) {
+                // the edge above a corner turns to the pin first, and away first
+                corner(*name, &edge.bottom, &Span { from: Rc::clone(&faced.from), to: below.to });
             }
             if index + 1 == part.edges.len() {
-                corner((name + 1) % n, &edge.top);
+                corner((name + 1) % n, &edge.top, &faced);
             }
             let heights = |t: f64| edge.rolling_height(t);
             self.rolling.extend(part.runs(edge, rolling, &heights).map(|run| (*name, run)));

@@ -37,6 +37,16 @@ impl Rect {
     }
 }
 
+/// All actions, in the order of the legend.
+pub(super) const ALL: [Option<PinAction>; 6] = [
+    Some(PinAction::Jam),
+    Some(PinAction::Repeat),
+    Some(PinAction::Pass),
+    Some(PinAction::FallBack),
+    Some(PinAction::PassUnder),
+    None,
+];
+
 /// The fill of an action.
 pub(super) fn colour(action: Option<PinAction>) -> &'static str {
     match action {
@@ -64,7 +74,7 @@ pub(super) fn meaning(action: Option<PinAction>) -> &'static str {
         Some(PinAction::Repeat) => "repeat: it topples and meets the pin again",
         Some(PinAction::Pass) => "pass: it topples and leaves the pin behind",
         Some(PinAction::PassUnder | PinAction::FallBack) => "pass-under, fall-back: it stays as it is",
-        None => "uncertain: depends on what the case leaves open",
+        None => "uncertain: differs within the ranges of the case",
     }
 }
 

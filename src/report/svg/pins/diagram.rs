@@ -40,6 +40,10 @@ pub(super) fn draw(setting: &Setting) -> Picture {
     let pitch = (room / setting.shown.len().max(1) as f64).min(WIDEST);
     let right = left + pitch * setting.shown.len() as f64;
     upright.draw(&mut picture.canvas, &setting.heights, left, right);
+    let intervals = || setting.shown.iter().flat_map(|orientation| &orientation.intervals);
+    for action in action::ALL.into_iter().filter(|action| intervals().any(|interval| interval.action == *action)) {
+        picture.legend.add(action::swatch(action), action::meaning(action));
+    }
     let heights: Vec<f64> = planned.iter().map(|pin| upright.y(setting.heights.share_of(pin.height))).collect();
     for (column, orientation) in setting.shown.iter().enumerate() {
         let middle = left + pitch * (column as f64 + 0.5);
@@ -68,7 +72,6 @@ fn draw_bars(
         let rect = Rect::new(x, bar.y);
         action::fill(&mut picture.canvas, rect, bar.action);
         picture.canvas.polygon(&rect.corners(), Pen::stroke(INK, 0.8));
-        picture.legend.add(action::swatch(bar.action), action::meaning(bar.action));
         let name = bar.action.map_or("uncertain", PinAction::name);
         let [top, bottom] = widest_between(bar.y, lines);
         let half = 3.0 * name.chars().count() as f64 + 2.0;
@@ -82,7 +85,7 @@ fn draw_bars(
         }
         picture.canvas.text(at, Align::Middle, 11.0, action::ink(bar.action), false, name);
     }
-    for [from, to] in &orientation.repeat_over_dip {
+    if let Some([from, to]) = &orientation.repeat_over_dip {
         let [low, high] = [from, to].map(|end| upright.y(setting.heights.share(end)));
         let pen = Pen::stroke(ORANGE, 4.0);
         picture.canvas.line(&[At::new(x[1] + 4.0, low), At::new(x[1] + 4.0, high)], pen);

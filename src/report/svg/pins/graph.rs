@@ -21,12 +21,15 @@ const IN_A_ROW: usize = 6;
 const NARROWEST: f64 = 116.0;
 /// So many curves of a kind are drawn in a panel.
 const MOST_CURVES: usize = 24;
-/// More curves than this are not named.
-const MOST_NAMES: usize = 36;
+/// Where there are more curves, corners are not named.
+const MOST_NAMES: usize = 24;
 /// Points closer than this are one.
 const FINE: f64 = 2.0;
 /// Below a row, for its axis and the names of its panels.
 const FOOT: f64 = 62.0;
+
+/// Where the center of mass is over the pivot.
+const TIPPING: Pen = Pen { fill: "none", opacity: 1.0, stroke: INK, width: 1.2, dash: "6 4" };
 
 /// Draws the toppling graph, in several rows if there are many orientations.
 pub(super) fn draw(setting: &Setting) -> Picture {
@@ -37,6 +40,7 @@ pub(super) fn draw(setting: &Setting) -> Picture {
         remark.push(format!("one curve in {most} where there are many"));
     }
     let mut picture = Picture::new("Toppling graph", &remark.join("; "));
+    explain(&mut picture.legend, setting);
     let rows = setting.shown.len().div_ceil(IN_A_ROW).max(1);
     let mut turned = 0.0;
     let points = setting.shown.iter().flat_map(|orientation| &orientation.curves).flat_map(|curve| &curve.points);
@@ -52,6 +56,30 @@ pub(super) fn draw(setting: &Setting) -> Picture {
     picture
 }
 
+/// What the marks mean, in the same order whatever comes first.
+fn explain(legend: &mut Legend, setting: &Setting) {
+    let kinds = [CurveKind::Vertex(0), CurveKind::Radius, CurveKind::Rolling(0), CurveKind::Jamming(0)];
+    let curves = || setting.shown.iter().flat_map(|orientation| &orientation.curves);
+    for kind in kinds.into_iter().filter(|kind| curves().any(|curve| pen(curve.kind) == pen(*kind))) {
+        legend.add(Swatch::Line(pen(kind)), meaning(kind));
+    }
+    legend.add(Swatch::Line(TIPPING), "\u{3b8}t: center of mass over the pivot");
+    if !planned(setting.answer).is_empty() {
+        legend.add(Swatch::Line(planned::pen()), "planned pin that the part may meet");
+    }
+    let intervals = || setting.shown.iter().flat_map(|orientation| &orientation.intervals);
+    for action in action::ALL.into_iter().filter(|action| is_shaded(*action)) {
+        if intervals().any(|interval| interval.action == action) {
+            legend.add(action::swatch(action), action::meaning(action));
+        }
+    }
+}
+
+/// Heights that topple the part, or may do so.
+fn is_shaded(action: Option<PinAction>) -> bool {
+    matches!(action, Some(PinAction::Repeat | PinAction::Pass) | None)
+}
+
 fn draw_row(picture: &mut Picture, setting: &Setting, upright: Upright, row: &[&Orientation], turned: f64) {
     let (left, right) = (SIDE + AXIS, PAGE - SIDE);
     let mut panels = Vec::new();
@@ -62,11 +90,11 @@ fn draw_row(picture: &mut Picture, setting: &Setting, upright: Upright, row: &[&
         (x, from) = (x + width, from + orientation.theta_1_deg);
     }
     for panel in &panels {
-        panel.shade(&mut picture.canvas, &mut picture.legend, &bars(panel.orientation, &setting.heights, &upright));
+        panel.shade(&mut picture.canvas, &bars(panel.orientation, &setting.heights, &upright));
     }
     upright.draw(&mut picture.canvas, &setting.heights, left, right);
     for panel in &panels {
-        panel.draw(&mut picture.canvas, &mut picture.legend, setting);
+        panel.draw(&mut picture.canvas, setting);
     }
     turns(&mut picture.canvas, &panels, upright.belt);
 }
@@ -104,27 +132,20 @@ impl Panel<'_> {
         (self.x[0] + degrees * self.pixels).clamp(self.x[0], self.x[1])
     }
 
-    /// Shades the heights that topple the part, or may do so.
-    fn shade(&self, canvas: &mut Canvas, legend: &mut Legend, bars: &[Bar]) {
-        for bar in bars {
-            if let Some(PinAction::PassUnder | PinAction::FallBack | PinAction::Jam) = bar.action {
-                continue;
-            }
+    fn shade(&self, canvas: &mut Canvas, bars: &[Bar]) {
+        for bar in bars.iter().filter(|bar| is_shaded(bar.action)) {
             action::fill(canvas, Rect::new(self.x, bar.y), bar.action);
-            legend.add(action::swatch(bar.action), action::meaning(bar.action));
         }
     }
 
-    fn draw(&self, canvas: &mut Canvas, legend: &mut Legend, setting: &Setting) {
+    fn draw(&self, canvas: &mut Canvas, setting: &Setting) {
         let orientation = self.orientation;
         let (top, belt) = (self.upright.top, self.upright.belt);
         let frame = Pen::stroke(INK, 1.3);
         canvas.lines(&self.x.map(|x| vec![At::new(x, top), At::new(x, belt)]), frame);
         canvas.line(&self.x.map(|x| At::new(x, belt)), frame);
         let tipping = self.at_turn(orientation.theta_t_deg);
-        let dashed = Pen { dash: "6 4", ..Pen::stroke(INK, 1.2) };
-        canvas.line(&[At::new(tipping, top), At::new(tipping, belt)], dashed);
-        legend.add(Swatch::Line(dashed), "\u{3b8}t: center of mass over the pivot");
+        canvas.line(&[At::new(tipping, top), At::new(tipping, belt)], TIPPING);
 
         let mut labels = Labels::within([At::new(self.x[0] + 2.0, top), At::new(self.x[1] - 2.0, belt - 2.0)]);
         labels.avoid(&column(self.x[0], top, belt));
@@ -135,7 +156,6 @@ impl Panel<'_> {
             let line = self.x.map(|x| At::new(x, y));
             canvas.line(&line, planned::pen());
             labels.avoid(&view::along(line[0], line[1]));
-            legend.add(Swatch::Line(planned::pen()), "planned pin that the part may meet");
         }
         let step = step(&orientation.curves);
         let mut lines: Vec<(CurveKind, Vec<At>)> = Vec::new();
@@ -151,14 +171,13 @@ impl Panel<'_> {
             let pen = pen(*kind);
             canvas.line(line, Pen::stroke("#ffffff", pen.width + 2.0));
             canvas.line(line, pen);
-            legend.add(Swatch::Line(pen), meaning(*kind));
             labels.avoid(&line.windows(2).flat_map(|ends| view::along(ends[0], ends[1])).collect::<Vec<_>>());
         }
-        if lines.len() <= MOST_NAMES {
-            for (kind, line) in lines.iter().rev() {
-                let anchors = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| line.get((share * line.len() as f64) as usize));
-                labels.offer(anchors.into_iter().flatten().copied().collect(), pen(*kind).stroke, name(*kind));
-            }
+        let is_crowded = lines.len() > MOST_NAMES;
+        for (kind, line) in lines.iter().rev().filter(|(kind, _)| !(is_crowded && matches!(kind, CurveKind::Vertex(_))))
+        {
+            let anchors = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| line.get((share * line.len() as f64) as usize));
+            labels.offer(anchors.into_iter().flatten().copied().collect(), pen(*kind).stroke, name(*kind));
         }
         labels.draw(canvas);
         self.title(canvas);

@@ -63,9 +63,9 @@ pub(super) fn key(canvas: &mut Canvas, setting: &Setting, frame: [At; 2]) {
     let pose = Pose::new(setting, first.edge);
     let tall = setting.heights.share(&first.height);
     let [low, high] = frame;
-    let room = At::new(high.x - low.x - 44.0, high.y - low.y - 44.0);
+    let room = At::new(high.x - low.x - 44.0, high.y - low.y - 60.0);
     let pixels = (room.x / (2.0 * pose.half)).min(room.y / tall.max(1e-9));
-    let foot = At::new((low.x + high.x) / 2.0, (low.y + high.y + tall * pixels) / 2.0);
+    let foot = At::new((low.x + high.x) / 2.0, (low.y + high.y - 16.0 + tall * pixels) / 2.0);
     pose.draw(canvas, foot, pixels);
 
     let corners = pose.on_page(foot, pixels);
@@ -83,6 +83,6 @@ pub(super) fn key(canvas: &mut Canvas, setting: &Setting, frame: [At; 2]) {
         labels.want(middle, outward([here, next]), 8.0, MUTED, false, format!("e{corner}"));
     }
     labels.draw(canvas);
-    let below = At::new(foot.x, foot.y + 36.0);
+    let below = At::new(foot.x, foot.y + 34.0);
     canvas.text(below, Align::Middle, 11.0, MUTED, false, "corners V, edges e");
 }

@@ -1,6 +1,6 @@
 //! Public cases with the answers of an independent exact implementation, as answers to be drawn.
 
-use super::curves::Turned;
+use super::curves::curves;
 use crate::answer::{ActionInterval, Obstacle, Orientation, Pin, PinAction, PinPlan, Pins, Symmetry, ToppleInterval};
 use crate::exact::{Algebraic, Q, Z, parse_literal, to_f64};
 use crate::geometry::Polygon;
@@ -73,7 +73,7 @@ fn build(name: &str, case: &str, expected: &str) -> Drawn {
     let com = point(&expected["center_of_mass"]);
     let conveyor = conveyor(number(&expected["belt_friction"]), number(&expected["pin_friction"]));
     let orientations: Vec<Orientation> =
-        list(&expected["orientations"]).map(|value| orientation(value, &hull, &com, &conveyor)).collect();
+        list(&expected["orientations"]).map(|value| orientation(value, &hull, &com)).collect();
     let answer = Pins {
         stable: edges(&expected["stable"]),
         symmetry: Symmetry {
@@ -89,11 +89,9 @@ fn build(name: &str, case: &str, expected: &str) -> Drawn {
     Drawn { name: name.to_owned(), part: part(unit, hull, com), conveyor, answer }
 }
 
-fn orientation(value: &Value, hull: &[[Q; 2]], com: &[Q; 2], conveyor: &Conveyor) -> Orientation {
+fn orientation(value: &Value, hull: &[[Q; 2]], com: &[Q; 2]) -> Orientation {
     let (edge, theta_1_deg) = (index(&value["edge"]), value["theta_1_deg"].as_f64().expect("degrees"));
     let near = |point: &[Q; 2]| point.each_ref().map(to_f64);
-    let friction = [&conveyor.belt_friction, &conveyor.pin_friction].map(|range| to_f64(&range.min));
-    let turned = Turned { hull: hull.iter().map(near).collect(), com: near(com), edge, friction };
     Orientation {
         edge,
         next: index(&value["next"]),
@@ -115,13 +113,8 @@ fn orientation(value: &Value, hull: &[[Q; 2]], com: &[Q; 2], conveyor: &Conveyor
                 to: height(&value["to"]),
             })
             .collect(),
-        repeat_over_dip: list(&value["repeat_over_dip"])
-            .map(height)
-            .collect::<Vec<_>>()
-            .chunks(2)
-            .map(|ends| [ends[0].clone(), ends[1].clone()])
-            .collect(),
-        curves: turned.curves(theta_1_deg),
+        repeat_over_dip: value["repeat_over_dip"].as_array().map(|ends| [height(&ends[0]), height(&ends[1])]),
+        curves: curves(&hull.iter().map(near).collect::<Vec<_>>(), near(com), edge, theta_1_deg),
     }
 }
 

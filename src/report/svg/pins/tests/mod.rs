@@ -180,6 +180,7 @@ fn many(n: usize) -> Drawn {
         to: (k < count).then(|| end(k + 1)),
         action: Some(if k < count { actions[k % 3] } else { PinAction::PassUnder }),
     };
+    let intervals: Vec<ActionInterval> = (0..=count).map(interval).collect();
     let orientation = |edge: usize| Orientation {
         edge,
         next: (edge + n - 1) % n,
@@ -187,9 +188,9 @@ fn many(n: usize) -> Drawn {
         theta_t_deg: turn / 2.0,
         theta_1_deg: turn,
         height: q("200").into(),
-        intervals: (0..=count).map(interval).collect(),
+        intervals: intervals.clone(),
         topple: Vec::new(),
-        repeat_over_dip: Vec::new(),
+        repeat_over_dip: None,
         curves: curves.clone(),
     };
     let stable: Vec<usize> = (0..n).collect();
