@@ -51,8 +51,8 @@ pub(super) const ALL: [Option<PinAction>; 6] = [
 pub(super) fn colour(action: Option<PinAction>) -> &'static str {
     match action {
         Some(PinAction::Jam) => INK,
-        Some(PinAction::Repeat) => "#92abbf",
-        Some(PinAction::Pass) => "#dce8f1",
+        Some(PinAction::Repeat) => "#a3bace",
+        Some(PinAction::Pass) => "#e1ebf3",
         Some(PinAction::PassUnder | PinAction::FallBack) | None => "#ffffff",
     }
 }

@@ -177,7 +177,8 @@ impl Panel<'_> {
         for (kind, line) in lines.iter().rev().filter(|(kind, _)| !(is_crowded && matches!(kind, CurveKind::Vertex(_))))
         {
             let anchors = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| line.get((share * line.len() as f64) as usize));
-            labels.offer(anchors.into_iter().flatten().copied().collect(), pen(*kind).stroke, name(*kind));
+            let colour = if *kind == CurveKind::Radius { INK } else { pen(*kind).stroke };
+            labels.offer(anchors.into_iter().flatten().copied().collect(), colour, name(*kind));
         }
         labels.draw(canvas);
         self.title(canvas);
@@ -248,8 +249,8 @@ fn number(kind: CurveKind) -> Option<usize> {
 fn pen(kind: CurveKind) -> Pen {
     match kind {
         CurveKind::Radius => Pen { dash: "8 3 2 3", ..Pen::stroke(MUTED, 1.6) },
-        CurveKind::Vertex(_) => Pen::stroke(INK, 1.1),
-        CurveKind::Rolling(_) => Pen::stroke(RED, 2.2),
+        CurveKind::Vertex(_) => Pen::stroke(INK, 0.9),
+        CurveKind::Rolling(_) => Pen::stroke(RED, 2.4),
         CurveKind::Jamming(_) => Pen { dash: "5 2", ..Pen::stroke(BLUE, 2.2) },
     }
 }

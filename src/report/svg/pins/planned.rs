@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// How a planned height is drawn.
 pub(super) fn pen() -> Pen {
-    Pen::stroke(GREEN, 2.0)
+    Pen { dash: "12 3", ..Pen::stroke(GREEN, 2.0) }
 }
 
 /// A height of planned pins.

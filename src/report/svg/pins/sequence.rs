@@ -13,6 +13,8 @@ const KEY: f64 = 210.0;
 const MOST_PINS: usize = 6;
 /// So many orientations beside each other where there are no pins.
 const IN_A_ROW: usize = 6;
+/// Between two pins.
+const WIDEST: f64 = 260.0;
 /// Under the belt, for the number of the edge.
 const FOOT: f64 = 20.0;
 /// Half the width of the band of heights that a pin may have.
@@ -74,7 +76,7 @@ fn rows(setting: &Setting, pins: &[Pin]) -> Picture {
     }
     for (row, orientation) in setting.shown.iter().enumerate() {
         let belt = grid.belt(top, row);
-        draw_belt(&mut picture.canvas, belt, [left, PAGE - SIDE]);
+        draw_belt(&mut picture.canvas, belt, [left, left + grid.column * (drawn.len() + 1) as f64]);
         for (column, edge) in way(setting, orientation, drawn).into_iter().enumerate() {
             grid.part(&mut picture.canvas, setting, column, belt, edge);
         }
@@ -146,7 +148,7 @@ struct Grid {
 
 impl Grid {
     fn new(setting: &Setting, left: f64, columns: usize, beside: f64, tallest: f64) -> Self {
-        let column = (PAGE - SIDE - left) / columns as f64;
+        let column = ((PAGE - SIDE - left) / columns as f64).min(WIDEST);
         let pitch = tallest.clamp(66.0, 140.0);
         let widest = setting.shown.iter().map(|shown| Pose::new(setting, shown.edge).half).fold(1e-9, f64::max);
         let wide = (column - beside - 24.0) / (2.0 * widest);

@@ -12,7 +12,8 @@ pub(super) fn curves(hull: &[[f64; 2]], com: [f64; 2], edge: usize, theta_1_deg:
     let all = (0..n).flat_map(|k| [CurveKind::Vertex(k), CurveKind::Rolling(k), CurveKind::Jamming(k)]);
     let points = |kind: CurveKind| {
         let turns = (0..=TURNS).map(|step| theta_1_deg * f64::from(step) / f64::from(TURNS));
-        turns.filter_map(|turn| Some([turn, height(hull, com, edge, turn, kind)?])).collect()
+        let heights = turns.map(|turn| Some([turn, height(hull, com, edge, turn, kind)?]));
+        heights.skip_while(Option::is_none).map_while(|point| point).collect()
     };
     all.chain([CurveKind::Radius]).map(|kind| Curve { kind, points: points(kind) }).collect()
 }
