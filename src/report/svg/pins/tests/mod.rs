@@ -3,7 +3,9 @@ mod curves;
 
 use super::super::tests::assert_well_formed;
 use super::{MOST, PAGE};
-use crate::answer::{ActionInterval, Curve, CurveKind, Decisions, Orientation, PinAction, PinPlan, Pins, Symmetry};
+use crate::answer::{
+    ActionInterval, Curve, CurveKind, Decisions, Limit, Orientation, PinAction, PinPlan, Pins, Symmetry,
+};
 use crate::exact::{Q, from_float_exact, ratio};
 use crate::model::LengthUnit;
 use cases::{Drawn, q};
@@ -64,13 +66,17 @@ fn public_cases_are_drawn_well_formed_and_without_texts_over_each_other() {
         assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{}", drawn.name);
         let texts = written(&svg);
         assert!(texts.len() > 40);
-        for (index, one) in texts.iter().enumerate() {
-            let inside = one.low[0] >= 0.0 && one.high[0] <= PAGE && one.high[1] <= height_of(&svg);
-            assert!(inside, "{}: {} leaves the page", drawn.name, one.text);
-            for other in &texts[index + 1..] {
-                let overlaps = (0..2).all(|axis| one.low[axis] < other.high[axis] && other.low[axis] < one.high[axis]);
-                assert!(!overlaps, "{}: {} is over {}", drawn.name, one.text, other.text);
-            }
+        assert_apart(&drawn.name, &texts, height_of(&svg));
+    }
+}
+
+fn assert_apart(name: &str, texts: &[Written], bottom: f64) {
+    for (index, one) in texts.iter().enumerate() {
+        let inside = one.low[0] >= 0.0 && one.high[0] <= PAGE && one.high[1] <= bottom;
+        assert!(inside, "{name}: {} leaves the page", one.text);
+        for other in &texts[index + 1..] {
+            let overlaps = (0..2).all(|axis| one.low[axis] < other.high[axis] && other.low[axis] < one.high[axis]);
+            assert!(!overlaps, "{name}: {} is over {}", one.text, other.text);
         }
     }
 }
@@ -219,6 +225,42 @@ fn two_hundred_orientations_make_a_bounded_drawing_that_says_what_it_leaves_out(
     assert!(says(&svg, "edge 0") && !says(&svg, "edge 1"));
     let twelve = many(12).svg();
     assert!((0..12).all(|edge| says(&twelve, &format!("edge {edge}"))) && !twelve.contains("the first"));
+}
+
+/// A plan may have any number of pins, and pins may share a height.
+#[test]
+fn a_long_sequence_is_cut_and_says_so() {
+    let mut drawn = cases::three_pins();
+    let pins = drawn.answer.plan.sequence.take().expect("three pins");
+    let long = |index: usize| {
+        let mut pin = pins[index % 3].clone();
+        pin.height += ratio(i64::try_from(index / 6).unwrap(), 1000);
+        pin.outcome = drawn.answer.stable.iter().map(|edge| (*edge, *edge)).collect();
+        pin.after.clone_from(&drawn.answer.stable);
+        pin
+    };
+    drawn.answer.plan.sequence = Some((0..60).map(long).collect());
+    let svg = drawn.svg();
+    assert_well_formed(&svg);
+    let texts = written(&svg);
+    let says = |text: &str| texts.iter().any(|written| written.text.contains(text));
+    assert!(says("the first 6 of 60 pins") && says("the first 20 of 30 heights of pins"));
+    assert!(says("pin 6") && !texts.iter().any(|written| written.text == "pin 7"));
+    // the lowest of all heights is that of the third pin and of the sixth
+    assert!(says("pins 3 and 6: 3 "));
+    assert_apart(&drawn.name, &texts, height_of(&svg));
+}
+
+#[test]
+fn no_pins_are_drawn_where_none_are_needed_or_the_search_was_ended() {
+    let mut drawn = cases::three_pins();
+    for sequence in [Some(Vec::new()), None] {
+        drawn.answer.plan =
+            PinPlan { limit: sequence.is_none().then_some(Limit::Time), sequence, ..PinPlan::default() };
+        let svg = drawn.svg();
+        assert!(says(&svg, "Stable orientations") && !says(&svg, "pin 1"));
+        assert_eq!(svg.contains("the time limit"), drawn.answer.plan.limit.is_some());
+    }
 }
 
 /// The unit of the part changes numbers and nothing else; no unit is too small or too large.
