@@ -21,14 +21,14 @@ const WIDEST: f64 = 190.0;
 /// Between the names of two pins.
 const LINE: f64 = 14.0;
 /// So many heights of pins have room beside the bars.
-const MOST_LINES: usize = (HEIGHT / LINE) as usize;
+pub(super) const MOST_LINES: usize = (HEIGHT / LINE) as usize;
 
 /// Draws the pin action diagram with the planned pins.
 pub(super) fn draw(setting: &Setting) -> Picture {
     let planned = planned(setting.answer);
     let mut remark = super::left_out(setting);
     if planned.len() > MOST_LINES {
-        let also = format!("the first {MOST_LINES} of {} heights of pins", planned.len());
+        let also = format!("the lowest {MOST_LINES} of {} heights of pins", planned.len());
         remark = if remark.is_empty() { also } else { format!("{remark}; {also}") };
     }
     let planned = &planned[..planned.len().min(MOST_LINES)];
@@ -116,10 +116,10 @@ fn lines(
 ) {
     let unit = setting.heights.unit;
     for ((planned, y), name) in planned.iter().zip(heights).zip(apart(heights, upright)) {
-        let line =
-            [At::new(left, *y), At::new(right + 6.0, *y), At::new(right + 18.0, name), At::new(right + 22.0, name)];
-        picture.canvas.line(&line[..2], Pen::stroke("#ffffff", 4.4));
-        picture.canvas.line(&line, planned::pen());
+        let (through, [from, to]) = ([left, right + 6.0].map(|x| At::new(x, *y)), [right + 6.0, right + 22.0]);
+        picture.canvas.line(&through, Pen::stroke("#ffffff", 4.4));
+        picture.canvas.line(&through, planned::pen());
+        picture.canvas.line(&[At::new(from, *y), At::new(to, name)], Pen::stroke(MUTED, 0.8));
         picture.legend.add(Swatch::Line(planned::pen()), "planned pin, with a dot where the part may meet it");
         for (column, _) in setting.shown.iter().enumerate().filter(|(_, shown)| planned.met.contains(&shown.edge)) {
             let middle = left + (right - left) / setting.shown.len() as f64 * (column as f64 + 0.5);

@@ -7,6 +7,7 @@ use super::super::view;
 use super::action::{self, Rect};
 use super::axis::{Upright, ticks};
 use super::bars::{Bar, bars};
+use super::diagram::MOST_LINES;
 use super::planned::{self, planned};
 use super::{PAGE, Picture, SIDE, Setting};
 use crate::answer::{Curve, CurveKind, Orientation, PinAction};
@@ -151,7 +152,8 @@ impl Panel<'_> {
         labels.avoid(&column(self.x[0], top, belt));
         labels.avoid(&column(self.x[1], top, belt));
         labels.avoid(&column(tipping, top, belt));
-        for pin in planned(setting.answer).iter().filter(|pin| pin.met.contains(&orientation.edge)) {
+        let planned = planned(setting.answer);
+        for pin in planned.iter().take(MOST_LINES).filter(|pin| pin.met.contains(&orientation.edge)) {
             let y = self.upright.y(setting.heights.share_of(pin.height));
             let line = self.x.map(|x| At::new(x, y));
             canvas.line(&line, planned::pen());

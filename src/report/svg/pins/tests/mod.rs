@@ -244,7 +244,7 @@ fn a_long_sequence_is_cut_and_says_so() {
     assert_well_formed(&svg);
     let texts = written(&svg);
     let says = |text: &str| texts.iter().any(|written| written.text.contains(text));
-    assert!(says("the first 6 of 60 pins") && says("the first 20 of 30 heights of pins"));
+    assert!(says("the first 6 of 60 pins") && says("the lowest 20 of 30 heights of pins"));
     assert!(says("pin 6") && !texts.iter().any(|written| written.text == "pin 7"));
     // the lowest of all heights is that of the third pin and of the sixth
     assert!(says("pins 3 and 6: 3 "));
