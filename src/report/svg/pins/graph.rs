@@ -9,7 +9,7 @@ use super::axis::{Upright, ticks};
 use super::bars::{Bar, bars};
 use super::diagram::MOST_LINES;
 use super::planned::{self, planned};
-use super::{PAGE, Picture, SIDE, Setting};
+use super::{PAGE, Picture, SIDE, Setting, row_length};
 use crate::answer::{Curve, CurveKind, Orientation, PinAction};
 use crate::report::decimal;
 
@@ -42,12 +42,11 @@ pub(super) fn draw(setting: &Setting) -> Picture {
     }
     let mut picture = Picture::new("Toppling graph", &remark.join("; "));
     explain(&mut picture.legend, setting);
-    let rows = setting.shown.len().div_ceil(IN_A_ROW).max(1);
     let mut turned = 0.0;
     let points = setting.shown.iter().flat_map(|orientation| &orientation.curves).flat_map(|curve| &curve.points);
     let highest = points.filter_map(|[_, height]| setting.heights.share_near(*height));
     let highest = highest.fold(setting.heights.tallest, f64::max);
-    for row in setting.shown.chunks(setting.shown.len().div_ceil(rows).max(1)) {
+    for row in setting.shown.chunks(row_length(setting.shown.len(), IN_A_ROW)) {
         let top = picture.bottom + 24.0;
         let upright = Upright::new(top, top + HEIGHT, highest);
         draw_row(&mut picture, setting, upright, row, turned);
@@ -159,9 +158,16 @@ impl Panel<'_> {
             canvas.line(&line, planned::pen());
             labels.avoid(&view::along(line[0], line[1]));
         }
-        let step = step(&orientation.curves);
+        self.curves(canvas, setting, &mut labels);
+        labels.draw(canvas);
+        self.title(canvas);
+    }
+
+    fn curves(&self, canvas: &mut Canvas, setting: &Setting, labels: &mut Labels) {
+        let curves = &self.orientation.curves;
+        let step = step(curves);
         let mut lines: Vec<(CurveKind, Vec<At>)> = Vec::new();
-        for curve in orientation.curves.iter().filter(|curve| number(curve.kind).is_none_or(|n| n % step == 0)) {
+        for curve in curves.iter().filter(|curve| number(curve.kind).is_none_or(|n| n % step == 0)) {
             let line = self.line(curve, setting);
             if line.len() > 1 {
                 lines.push((curve.kind, line));
@@ -182,8 +188,6 @@ impl Panel<'_> {
             let colour = if *kind == CurveKind::Radius { INK } else { pen(*kind).stroke };
             labels.offer(anchors.into_iter().flatten().copied().collect(), colour, name(*kind));
         }
-        labels.draw(canvas);
-        self.title(canvas);
     }
 
     /// The curve on the page, without points that cannot be told apart.

@@ -88,6 +88,11 @@ fn in_turn(answer: &Pins) -> Vec<&Orientation> {
     iter::successors(answer.orientations.first(), next).take(answer.orientations.len().min(MOST)).collect()
 }
 
+/// The length of the fewest rows of at most `most`, about equal.
+fn row_length(count: usize, most: usize) -> usize {
+    count.div_ceil(count.div_ceil(most).max(1)).max(1)
+}
+
 /// Says what is left out; nothing if that is nothing.
 fn left_out(setting: &Setting) -> String {
     let all = setting.answer.orientations.len();

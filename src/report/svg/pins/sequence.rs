@@ -3,7 +3,7 @@
 use super::super::canvas::{Align, At, Canvas, GREEN, INK, MUTED, Pen};
 use super::super::legend::Swatch;
 use super::pose::{Pose, key};
-use super::{PAGE, Picture, SIDE, Setting};
+use super::{PAGE, Picture, SIDE, Setting, row_length};
 use crate::answer::{Orientation, Pin};
 use crate::report::decimal;
 
@@ -40,7 +40,7 @@ pub(in super::super) fn pin(canvas: &mut Canvas, at: At, band: [f64; 2]) {
 fn orientations(setting: &Setting) -> Picture {
     let remark = remark(setting, &["the part in every orientation that it may have"]);
     let mut picture = Picture::new("Stable orientations", &remark);
-    let columns = setting.shown.len().div_ceil(setting.shown.len().div_ceil(IN_A_ROW));
+    let columns = row_length(setting.shown.len(), IN_A_ROW);
     let left = SIDE + KEY;
     let grid = Grid::new(setting, left, columns, 0.0, 150.0);
     let top = picture.bottom;
