@@ -39,18 +39,6 @@ pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> 
     }
 }
 
-/// The same by double description alone, while its effort is no more than what is left of `allowed`.
-///
-/// # Errors
-/// [`Stop::Overflow`] or [`Stop::Effort`].
-pub(super) fn cut_within<T: Int>(normals: &Matrix<T>, allowed: &mut u64) -> Result<Cut<T>, Stop> {
-    cut(&Matrix::new(normals.columns()), normals, &mut |normals, start| {
-        let (parts, effort) = by_description(normals, start, *allowed, &mut |_| Err(Stop::Effort))?;
-        *allowed = allowed.saturating_sub(effort);
-        Ok(parts)
-    })
-}
-
 /// Finds the faces of a pointed cone of normals of full rank.
 type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<Faces<T>, Stop> + 'a;
 
@@ -133,38 +121,38 @@ fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<Faces<T>,
     let may_have_few_rays = start.basis.len() > 3;
     let mut other: Option<Option<PrimalDual<T>>> = None;
     let mut answer = None;
-    let found = by_description(normals, start, EASY, &mut |effort| {
+    let found = by_description(normals, start, EASY, &mut |allowed| {
         if may_have_few_rays {
             let other = match &mut other {
                 Some(other) => other,
                 None => other.insert(PrimalDual::new(normals)?),
             };
             if let Some(other) = other {
-                answer = other.run(effort)?;
+                answer = other.run(allowed)?;
             }
         }
-        if answer.is_some() { Err(Stop::Effort) } else { Ok(2 * effort) }
+        if answer.is_some() { Err(Stop::Effort) } else { Ok(2 * allowed) }
     });
     match (found, answer) {
         (Err(Stop::Effort), Some(answer)) => Ok(answer),
-        (found, _) => found.map(|(parts, _)| parts),
+        (found, _) => found,
     }
 }
 
-/// By double description; with its effort.
+/// By double description.
 fn by_description<T: Int>(
     normals: &Matrix<T>,
     start: Simplex<T>,
     allowed: u64,
     allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
-) -> Result<(Faces<T>, u64), Stop> {
+) -> Result<Faces<T>, Stop> {
     if start.basis.len() == 3 {
-        return Ok((faces(normals)?, 0));
+        return Ok(faces(normals)?);
     }
     let found = describe(start, normals, allowed, allow)?;
     let (flat, facets) = flat_and_facets(&found.on.transposed(found.cuts.len()), found.rays.len());
     let [flat, facets] = [flat, facets].map(|places| places.into_iter().map(|cut| found.cuts[cut]).collect());
-    Ok((Faces { flat, facets, rays: found.rays }, found.effort))
+    Ok(Faces { flat, facets, rays: found.rays })
 }
 
 /// A simplicial cone (modulo lines) cut by the normals `basis`: ray `i` lies on all of them but the `i`-th.

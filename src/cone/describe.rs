@@ -23,18 +23,21 @@ pub(super) struct Faces<T> {
 }
 
 /// Extreme rays of a cone, and which of the normals that cut it they lie on.
-pub(super) struct Description<T> {
+pub(super) struct Description<T: Int> {
     pub(super) rays: Matrix<T>,
     /// The normals that cut something off when it was their turn, all facets among them and all that the cone's span
     /// takes.
     pub(super) cuts: Vec<usize>,
     /// For each ray the members of `cuts`, by their places in it, that it lies on.
     pub(super) on: BitRows,
-    /// How much it took: pairs of rays looked at, and [`COMBINED`] for each entry of a ray computed.
+    /// How much it took: words of the sets of pairs of rays looked at, and [`COMBINED`] for each entry of a ray computed.
     pub(super) effort: u64,
+    /// Normals that adjacent rays have in common at least.
+    needed: usize,
+    step: Step<T>,
 }
 
-/// Effort of computing an entry of a ray, in pairs of rays looked at.
+/// Effort of computing an entry of a ray, in words looked at.
 const COMBINED: usize = 16;
 
 /// Why a cone was not described.
@@ -51,11 +54,50 @@ impl From<Overflow> for Stop {
     }
 }
 
+impl<T: Int> Description<T> {
+    /// Of a simplicial cone.
+    pub(super) fn of(start: Simplex<T>) -> Self {
+        let Simplex { rays, basis } = start;
+        let mut on = BitRows::new(basis.len());
+        for own in 0..basis.len() {
+            on.push(basis.len(), |cut| cut != own);
+        }
+        let needed = basis.len().saturating_sub(2);
+        let step = Step::new(rays.columns());
+        Self { rays, cuts: basis, on, effort: 0, needed, step }
+    }
+
+    /// Cuts the cone by a normal that is not zero and has the index `row`.
+    ///
+    /// A normal that leaves a face only, so that the cone has no longer full dimension, is a cut as any other: the count of
+    /// common normals that adjacent rays need does not depend on it, since those that vanish on all rays are among them.
+    ///
+    /// # Errors
+    /// [`Stop::Effort`], with nothing but the effort changed, if that is to exceed `allowed`; [`Stop::Overflow`].
+    pub(super) fn cut(&mut self, row: usize, normal: &[T], allowed: u64) -> Result<(), Stop> {
+        let step = &mut self.step;
+        step.sort(normal, &self.rays)?;
+        if step.outside.is_empty() {
+            return Ok(());
+        }
+        let compared = (step.inside.len() * step.outside.len() + self.rays.len()) * self.on.words();
+        let effort = self.effort + compared as u64;
+        if effort > allowed {
+            return Err(Stop::Effort);
+        }
+        let cut = self.cuts.len();
+        self.cuts.push(row);
+        self.on.widen(self.cuts.len());
+        step.level.iter().for_each(|ray| self.on.insert(*ray, cut));
+        step.cross(&self.rays, &self.on, cut, self.needed)?;
+        self.effort = effort + (COMBINED * step.fresh.len() * normal.len()) as u64;
+        step.replace(&mut self.rays, &mut self.on);
+        Ok(())
+    }
+}
+
 /// Cuts a simplicial cone by the other normals in their order, none of them zero. When its effort is to exceed `allowed`,
-/// `allow` gives a new limit or ends it.
-///
-/// A normal that leaves a face only, so that the cone has no longer full dimension, is a cut as any other: the count of
-/// common normals that adjacent rays need does not depend on it, since those that vanish on all rays are among them.
+/// `allow` gives a new limit for what it took so far or ends it.
 ///
 /// # Errors
 /// [`Stop`], for any of its reasons.
@@ -65,34 +107,17 @@ pub(super) fn describe<T: Int>(
     mut allowed: u64,
     allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
 ) -> Result<Description<T>, Stop> {
-    let mut effort = 0;
-    let Simplex { mut rays, basis } = start;
-    let needed = basis.len().saturating_sub(2);
-    let mut on = BitRows::new(basis.len());
-    for own in 0..basis.len() {
-        on.push(basis.len(), |cut| cut != own);
-    }
-    let mut cuts = basis;
-    let is_basis = marked(normals.len(), &cuts);
-    let mut step = Step::new(normals.columns());
+    let is_basis = marked(normals.len(), &start.basis);
+    let mut found = Description::of(start);
     for row in (0..normals.len()).filter(|row| !is_basis[*row]) {
-        step.sort(normals.row(row), &rays)?;
-        if step.outside.is_empty() {
-            continue;
+        loop {
+            match found.cut(row, normals.row(row), allowed) {
+                Err(Stop::Effort) => allowed = allow(allowed)?,
+                done => break done?,
+            }
         }
-        effort += (step.inside.len() * step.outside.len() + rays.len()) as u64;
-        if effort > allowed {
-            allowed = allow(effort)?;
-        }
-        let cut = cuts.len();
-        cuts.push(row);
-        on.widen(cuts.len());
-        step.level.iter().for_each(|ray| on.insert(*ray, cut));
-        step.cross(&rays, &on, cut, needed)?;
-        effort += (COMBINED * step.fresh.len() * normals.columns()) as u64;
-        step.replace(&mut rays, &mut on);
     }
-    Ok(Description { rays, cuts, on, effort })
+    Ok(found)
 }
 
 fn marked(universe: usize, members: &[usize]) -> Vec<bool> {

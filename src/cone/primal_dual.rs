@@ -1,7 +1,7 @@
 //! Few extreme rays behind many normals: the primal-dual method.
 
-use super::cut::{absorb, cut_within, flatten};
-use super::describe::{Faces, Stop};
+use super::cut::{absorb, absorb_lines, flatten};
+use super::describe::{Description, Faces, Simplex, Stop};
 use super::interior::interior_point;
 use super::linear::{dot_sign, negate, positive_combination};
 use crate::exact::{Entries, Int, Matrix, Overflow};
@@ -19,7 +19,7 @@ const FEWER: usize = 4;
 ///
 /// # Source
 /// Bremner, Fukuda & Marzetta (1998), Primal-dual methods for vertex and facet enumeration.
-pub(super) struct PrimalDual<'a, T> {
+pub(super) struct PrimalDual<'a, T: Int> {
     normals: &'a Matrix<T>,
     /// Which normal a primitive row is.
     known: HashMap<Entries<T>, usize>,
@@ -27,6 +27,9 @@ pub(super) struct PrimalDual<'a, T> {
     /// A basis of the directions along which the sum of the normals is constant.
     level: Matrix<T>,
     rays: Matrix<T>,
+    /// The facets of those rays that are not in `waiting`, once they span the space.
+    polar: Option<Description<T>>,
+    waiting: Vec<usize>,
 }
 
 impl<'a, T: Int> PrimalDual<'a, T> {
@@ -45,27 +48,21 @@ impl<'a, T: Int> PrimalDual<'a, T> {
         };
         let known = normals.rows().enumerate().map(|(index, row)| (primitive(row), index)).collect();
         let rays = Matrix::new(normals.columns());
-        Ok(Some(Self { normals, known, inside, level, rays }))
+        Ok(Some(Self { normals, known, inside, level, rays, polar: None, waiting: Vec::new() }))
     }
 
-    /// The facets and extreme rays, if `allowed` is effort enough and the rays are few.
+    /// The facets and extreme rays, if `allowed` is effort enough and the rays are few; the next call goes on where this one
+    /// ended.
     ///
     /// # Errors
     /// [`Stop::Overflow`] if a primitive row does not fit `T`.
     pub(super) fn run(&mut self, mut allowed: u64) -> Result<Option<Faces<T>>, Stop> {
         let cost = (self.normals.len() * self.level.len()) as u64;
         while FEWER * self.rays.len() <= self.normals.len() {
-            let polar = match cut_within(&self.rays, &mut allowed) {
+            let (is_flat, objectives) = match self.objectives(&mut allowed) {
                 Err(Stop::Effort) => return Ok(None),
-                polar => polar?,
+                objectives => objectives?,
             };
-            let is_flat = !polar.lines.is_empty();
-            let mut objectives = if is_flat { polar.lines } else { polar.rays };
-            for line in (0..objectives.len()).filter(|_| is_flat) {
-                if dot_sign(objectives.row(line), &self.inside)?.is_lt() {
-                    negate(objectives.row_mut(line));
-                }
-            }
             let n_before = self.rays.len();
             for objective in objectives.rows() {
                 let is_facet = !is_flat && self.known.contains_key(objective);
@@ -76,6 +73,7 @@ impl<'a, T: Int> PrimalDual<'a, T> {
                 allowed = left;
                 let origin = if is_flat { self.inside.clone() } else { self.amid(objective, n_before)? };
                 let ray = self.ray_beyond(objective, origin)?;
+                self.waiting.push(self.rays.len());
                 self.rays.push(&ray);
             }
             if self.rays.len() == n_before {
@@ -84,6 +82,34 @@ impl<'a, T: Int> PrimalDual<'a, T> {
             }
         }
         Ok(None)
+    }
+
+    /// The facets of the rays found, or while they lie in a hyperplane, normals of such ones.
+    fn objectives(&mut self, allowed: &mut u64) -> Result<(bool, Matrix<T>), Stop> {
+        let polar = match &mut self.polar {
+            Some(polar) => polar,
+            None => {
+                let start = absorb_lines(&self.rays)?;
+                let mut lines = start.lines.rows;
+                if !lines.is_empty() {
+                    for line in 0..lines.len() {
+                        if dot_sign(lines.row(line), &self.inside)?.is_lt() {
+                            negate(lines.row_mut(line));
+                        }
+                    }
+                    return Ok((true, lines));
+                }
+                self.waiting = (0..self.rays.len()).rev().filter(|ray| !start.basis.contains(ray)).collect();
+                self.polar.insert(Description::of(Simplex { rays: start.rays, basis: start.basis }))
+            }
+        };
+        let limit = polar.effort + *allowed;
+        while let Some(ray) = self.waiting.last() {
+            polar.cut(*ray, self.rays.row(*ray), limit)?;
+            self.waiting.pop();
+        }
+        *allowed = limit.saturating_sub(polar.effort);
+        Ok((false, polar.rays.clone()))
     }
 
     /// Whether a ray found after the first `n_rays` is off the hyperplane of `normal` on its positive side.
