@@ -4,6 +4,7 @@ mod critical;
 mod directions;
 mod fingers;
 mod insert;
+mod pins;
 mod recommend;
 mod robust;
 mod seating;
