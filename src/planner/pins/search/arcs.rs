@@ -1,8 +1,10 @@
 //! How many pins are needed where none jams: backward search over arcs of the cyclic order.
 
-use super::moves::Task;
+use super::moves::{Move, Task, Way};
 use crate::cone::bits::members;
-use std::collections::{BTreeSet, VecDeque};
+use crate::exact::Q;
+use num_traits::Zero as _;
+use std::collections::{BTreeSet, HashSet, VecDeque};
 
 /// For every set of orientations how many pins it needs at least, exactly.
 ///
@@ -17,6 +19,8 @@ pub(super) struct Arcs {
 }
 
 impl Arcs {
+    /// By pins with at least this tolerance.
+    ///
     /// `None` if some pin is of use that jams an orientation, or moves one otherwise than to the next stop.
     ///
     /// # Source
@@ -24,19 +28,47 @@ impl Arcs {
     ///
     /// # Cost
     /// O(k² m) with k orientations and m different outcomes.
-    pub(super) fn of(task: &Task) -> Option<Self> {
+    pub(super) fn of(task: &Task, least: &Q) -> Option<Self> {
         let n = task.n_classes();
         // a turn of the part onto itself takes the orientations round in steps of their number of classes
         let is_round = |place: usize| task.class(place) == task.class(place % n);
         let n_first: BTreeSet<usize> = (0..n).map(|place| task.class(place)).collect();
-        if !task.n().is_multiple_of(n) || n_first.len() != n || !(0..task.n()).all(is_round) {
+        let is_whole = task.n().is_multiple_of(n) && n_first.len() == n && (0..task.n()).all(is_round);
+        let maps = task.maps();
+        if !is_whole || maps.iter().any(|outcome| stops(outcome, n).is_none()) {
             return None;
         }
-        let stops = task.maps().into_iter().map(|outcome| stops(outcome, n)).collect::<Option<Vec<_>>>()?;
+        // as no pin jams, those for all orientations are all
+        let wide = task.runs(&task.everything()).into_iter().filter(|run| task.tolerance(*run) >= *least);
+        let wide: BTreeSet<&[Option<usize>]> = wide.map(|run| task.run_outcome(run)).collect();
+        let stops: Vec<Stops> = wide.into_iter().filter_map(|outcome| stops(outcome, n)).collect();
         let mut arcs = Self { n, needed: vec![None; n * n] };
         arcs.fill(&stops, |place| task.end().is_none_or(|end| task.class(place) == end));
         arcs.spread();
         Some(arcs)
+    }
+
+    /// As few pins as any have, and the widest of these if every pin must stay in heights that do the same to all
+    /// orientations, there or not; also how many sets were met. `None` if no pins will do.
+    pub(super) fn way(&self, task: &Task) -> Option<(Way, usize)> {
+        let fewest = self.fewest()?;
+        let mut tolerances: Vec<Q> = task.runs(&task.everything()).into_iter().map(|run| task.tolerance(run)).collect();
+        tolerances.sort();
+        let is_enough = |least: &Q| Self::of(task, least).is_some_and(|arcs| arcs.fewest() == Some(fewest));
+        let n_enough = tolerances.partition_point(is_enough);
+        let least = n_enough.checked_sub(1).map_or_else(Q::zero, |last| tolerances[last].clone());
+        let wide = Self::of(task, &least)?;
+        let mut way = Way { sets: Vec::new(), runs: Vec::new(), last: task.everything() };
+        let mut met = HashSet::from([task.everything()]);
+        for left in (0..fewest).rev() {
+            let moves = task.moves(&way.last);
+            met.extend(moves.iter().map(|step| step.after.clone()));
+            let is_next = |step: &Move| step.tolerance >= least && wide.needed(&step.after) == Some(left);
+            let next = moves.into_iter().find(is_next).expect("a pin makes what needs one pin less");
+            way.sets.push(std::mem::replace(&mut way.last, next.after));
+            way.runs.push(next.run);
+        }
+        Some((way, met.len()))
     }
 
     /// The pins needed for all orientations; `None` if no pins will do.

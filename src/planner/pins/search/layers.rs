@@ -1,7 +1,7 @@
 //! Breadth-first search over sets of orientations.
 
 use super::arcs::Arcs;
-use super::moves::{Run, Task};
+use super::moves::{Run, Task, Way};
 use crate::cone::bits::{Set, count, is_subset};
 use crate::exact::Q;
 use std::collections::{BTreeMap, HashSet};
@@ -15,8 +15,12 @@ pub(super) struct Rule<'a> {
     pub(super) most_pins: Option<usize>,
     /// Whether tolerances count.
     pub(super) is_weighed: bool,
+    /// The tolerance that is to be exceeded.
+    pub(super) known: Option<&'a Q>,
     /// Whether to go on after the fewest pins, as long as more may have a wider tolerance.
     pub(super) goes_on: bool,
+    /// After so many sets the search is given up.
+    pub(super) most_sets: Option<usize>,
 }
 
 /// What a search has found.
@@ -57,7 +61,7 @@ pub(super) fn search(task: &Task, rule: &Rule, is_over: &mut dyn FnMut() -> bool
     let mut found = Found::default();
     let mut front = Vec::new();
     found.keep(task, start, &mut front);
-    while !front.is_empty() && (rule.goes_on || found.goals.is_empty()) {
+    while !found.is_cut && !front.is_empty() && (rule.goes_on || found.goals.is_empty()) {
         let n_pins = found.reached[front[0]].n_pins + 1;
         if rule.most_pins.is_some_and(|most| most < n_pins) {
             break;
@@ -69,7 +73,7 @@ pub(super) fn search(task: &Task, rule: &Rule, is_over: &mut dyn FnMut() -> bool
         front.clear();
         for candidate in next {
             met.insert(candidate.set.clone());
-            if is_over() {
+            if is_over() || rule.most_sets.is_some_and(|most| most < met.len()) {
                 found.is_cut = true;
                 break;
             }
@@ -83,8 +87,12 @@ pub(super) fn search(task: &Task, rule: &Rule, is_over: &mut dyn FnMut() -> bool
 }
 
 impl Rule<'_> {
-    /// Whether a goal can be reached from all orientations, but not from this set with the pins that are left.
+    /// Whether the tolerance is too narrow, or a goal can be reached from all orientations, but not from this set with
+    /// the pins that are left.
     fn is_hopeless(&self, candidate: &Reached) -> bool {
+        if self.known.is_some() && candidate.tolerance.as_ref() <= self.known {
+            return true;
+        }
         let Some((arcs, fewest)) = self.arcs.and_then(|arcs| Some((arcs, arcs.fewest()?))) else { return false };
         let Some(needed) = arcs.needed(&candidate.set) else { return true };
         let most = if self.goes_on { self.most_pins } else { Some(fewest) };
@@ -99,17 +107,17 @@ impl Found {
         goals.reduce(|a, b| if self.reached[a].tolerance < self.reached[b].tolerance { b } else { a })
     }
 
-    /// The sets before each pin on the way to a reached set, and the pins.
-    pub(super) fn way_to(&self, goal: usize) -> (Vec<Set>, Vec<Run>) {
-        let mut way = (Vec::new(), Vec::new());
+    /// The pins that lead to a reached set.
+    pub(super) fn way_to(&self, goal: usize) -> Way {
+        let mut way = Way { sets: Vec::new(), runs: Vec::new(), last: self.reached[goal].set.clone() };
         let mut at = goal;
         while let Some((before, run)) = self.reached[at].last {
-            way.0.push(self.reached[before].set.clone());
-            way.1.push(run);
+            way.sets.push(self.reached[before].set.clone());
+            way.runs.push(run);
             at = before;
         }
-        way.0.reverse();
-        way.1.reverse();
+        way.sets.reverse();
+        way.runs.reverse();
         way
     }
 

@@ -12,13 +12,16 @@ mod tests;
 mod tolerance;
 mod wiper;
 
-use crate::answer::{Pin, PinPlan, PinSearch, Symmetry, Tradeoff};
+use crate::answer::{Obstacle, Pin, PinPlan, PinSearch, Symmetry, Tradeoff};
 use crate::exact::{Algebraic, Q};
 use arcs::Arcs;
 use layers::{Found, Rule, search};
-use moves::{Run, Task};
+use moves::{Run, Task, Way};
 use num_traits::Zero as _;
-use tolerance::{rounded_down, short};
+use tolerance::{rounded_down, rounding, short};
+
+/// Where arcs tell the number of pins, the search for wider ones is given up after so many sets.
+const MOST_SETS: usize = 2_000;
 
 /// Heights strictly between two critical ones, and where every stable orientation ends at a pin of such a height.
 ///
@@ -58,8 +61,8 @@ pub(super) struct Wanted {
 /// breadth first instead of depth first; Eppstein (1990), "Reset sequences for monotonic automata", where no pin jams.
 ///
 /// # Cost
-/// With k orientations and b bands O(b k) a set. The number of sets may be exponential if pins jam some orientations
-/// only; it is at most the number of pins needed where none does ([`Arcs`]).
+/// With k orientations and b bands O(b k) a set, and O(b² k²) in all for the fewest pins where none jams. Otherwise the
+/// number of sets may be exponential, as it may for wider tolerances and for the smallest sets if there is no plan.
 ///
 /// # Panics
 /// If a band is empty, or an edge of the classes, or the one asked for, is not stable.
@@ -72,52 +75,86 @@ pub(super) fn plan(
 ) -> PinPlan {
     let task = Task::of(stable, symmetry, bands, wanted.end);
     let mut plan = PinPlan { searched: task.counts(), ..PinPlan::default() };
-    let arcs = Arcs::of(&task);
+    let arcs = Arcs::of(&task, &Q::zero());
     plan.searched.by_arcs = arcs.is_some();
-    let pairs = obstacle::inseparable_pairs(&task);
-    let first = search(&task, &Rule { arcs: arcs.as_ref(), ..Rule::default() }, is_over);
-    plan.searched.reachable_sets = first.n_sets;
-    let Some(fewest) = first.goals.first() else {
-        if !first.is_cut || !pairs.is_empty() {
-            let mut obstacle = obstacle::of(&task, &first, pairs);
-            obstacle.wiper = wiper::best(&task, wanted.max_pins, is_over);
-            plan.obstacle = Some(obstacle);
+    let by_arcs = arcs.as_ref().and_then(|arcs| arcs.way(&task));
+    let shortest = match by_arcs {
+        Some((way, n_sets)) => {
+            plan.searched.reachable_sets = n_sets;
+            way
         }
-        return plan;
+        None => {
+            let pairs = obstacle::inseparable_pairs(&task);
+            let found = search(&task, &Rule::default(), is_over);
+            plan.searched.reachable_sets = found.n_sets;
+            match found.goals.first() {
+                Some(goal) => found.way_to(*goal),
+                None if found.is_cut && pairs.is_empty() => return plan,
+                None => {
+                    let obstacle = obstacle::of(&task, &found, pairs);
+                    let wiper = wiper::best(&task, wanted.max_pins, is_over);
+                    plan.obstacle = Some(Obstacle { wiper, ..obstacle });
+                    return plan;
+                }
+            }
+        }
     };
-    let n_pins = first.reached[*fewest].n_pins;
+    let n_pins = shortest.runs.len();
     if wanted.max_pins.is_some_and(|most| most < n_pins) {
         plan.needs = Some(n_pins);
         return plan;
     }
-    let most = if wanted.pareto { wanted.max_pins } else { Some(n_pins) };
-    let rule = Rule { arcs: arcs.as_ref(), most_pins: most, is_weighed: true, goes_on: wanted.pareto };
-    let widest = if n_pins == 0 { Found::default() } else { search(&task, &rule, is_over) };
-    if wanted.pareto {
-        plan.pareto = tradeoffs(&widest);
-    }
-    let (found, goal) = match widest.widest_with(n_pins) {
-        Some(goal) => (&widest, goal),
-        None => (&first, *fewest),
-    };
-    let (sets, runs) = found.way_to(goal);
-    plan.end = task.class_edges(found.reached[goal].set.as_slice());
-    plan.sequence = Some(sets.iter().zip(&runs).map(|(set, run)| pin(&task, set, *run)).collect());
+    let way = widest(&task, shortest, arcs.as_ref(), wanted, &mut plan.pareto, is_over);
+    plan.end = task.class_edges(&way.last);
+    plan.sequence = Some(way.sets.iter().zip(&way.runs).map(|(set, run)| pin(&task, set, *run)).collect());
     plan
 }
 
+/// The widest of all ways as short as one that is known, and what longer ones allow if that is wanted.
+///
+/// Where arcs tell the number of pins, the way known is already the widest but for heights that are critical only for
+/// orientations that cannot be there: then the search for a wider one may be given up.
+fn widest(
+    task: &Task,
+    known: Way,
+    arcs: Option<&Arcs>,
+    wanted: &Wanted,
+    pareto: &mut Vec<Tradeoff>,
+    is_over: &mut dyn FnMut() -> bool,
+) -> Way {
+    let n_pins = known.runs.len();
+    let Some(least) = known.runs.iter().map(|run| task.tolerance(*run)).min() else { return known };
+    let rule = Rule {
+        arcs,
+        most_pins: if wanted.pareto { wanted.max_pins } else { Some(n_pins) },
+        is_weighed: true,
+        known: Some(&least),
+        goes_on: wanted.pareto,
+        most_sets: arcs.filter(|_| !wanted.pareto).map(|_| MOST_SETS),
+    };
+    let found = search(task, &rule, is_over);
+    if wanted.pareto {
+        *pareto = tradeoffs(&found, Tradeoff { pins: n_pins, tolerance: least });
+    }
+    found.widest_with(n_pins).map_or(known, |goal| found.way_to(goal))
+}
+
 /// The goals whose tolerance is wider than with fewer pins by more than what the ends of bands are rounded.
-fn tradeoffs(found: &Found) -> Vec<Tradeoff> {
-    let mut entries: Vec<Tradeoff> = Vec::new();
-    let mut widest = Q::zero();
+fn tradeoffs(found: &Found, first: Tradeoff) -> Vec<Tradeoff> {
+    let mut entries = vec![first];
     let most = found.goals.last().map_or(0, |goal| found.reached[*goal].n_pins);
     for pins in 1..=most {
+        let last = entries.last_mut().expect("there is a first");
         let tolerance = found.widest_with(pins).and_then(|goal| found.reached[goal].tolerance.clone());
-        if let Some(tolerance) = tolerance.filter(|tolerance| *tolerance > &widest + tolerance::rounding(&widest)) {
-            entries.push(Tradeoff { pins, tolerance: rounded_down(&tolerance) });
-            widest = tolerance;
+        match tolerance {
+            Some(tolerance) if pins == last.pins => last.tolerance = tolerance,
+            Some(tolerance) if tolerance > &last.tolerance + rounding(&last.tolerance) => {
+                entries.push(Tradeoff { pins, tolerance });
+            }
+            _ => {}
         }
     }
+    entries.iter_mut().for_each(|entry| entry.tolerance = rounded_down(&entry.tolerance));
     entries
 }
 

@@ -46,6 +46,13 @@ pub(super) struct Move {
     pub(super) tolerance: Q,
 }
 
+/// Pins one after the other: the sets before each, the pins, and the set after the last.
+pub(super) struct Way {
+    pub(super) sets: Vec<Set>,
+    pub(super) runs: Vec<Run>,
+    pub(super) last: Set,
+}
+
 impl<'a> Task<'a> {
     pub(super) fn of(stable: &'a [usize], symmetry: &Symmetry, bands: &'a [Band], end: Option<usize>) -> Self {
         let place = |edge: usize| stable.binary_search(&edge).expect("only stable edges are in question");
@@ -188,7 +195,7 @@ impl<'a> Task<'a> {
 
     /// Where a pin of this run, which does not jam it, sends an orientation.
     pub(super) fn goes_to(&self, place: usize, run: Run) -> usize {
-        self.row_outcome(&self.rows[run.first])[place].expect("the pin jams none of the set")
+        self.run_outcome(run)[place].expect("the pin jams none of the set")
     }
 
     /// The members of `from` that some pin usable on all of it moves.
@@ -218,6 +225,11 @@ impl<'a> Task<'a> {
     /// Where the edges of `set` go.
     pub(super) fn outcome(&self, set: &[u64], run: Run) -> BTreeMap<usize, usize> {
         members(set).map(|place| (self.stable[place], self.stable[self.goes_to(place, run)])).collect()
+    }
+
+    /// What the pins of a run do, where they all do the same.
+    pub(super) fn run_outcome(&self, run: Run) -> &[Option<usize>] {
+        self.row_outcome(&self.rows[run.first])
     }
 
     fn row_outcome(&self, row: &Row) -> &[Option<usize>] {

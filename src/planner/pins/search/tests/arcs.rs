@@ -5,6 +5,7 @@ use super::super::arcs::Arcs;
 use super::super::layers::{Rule, search};
 use super::super::moves::{Task, set_of};
 use super::scene::{Mask, Outcome, Scene, scenes, walks};
+use crate::exact::ratio;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
@@ -60,7 +61,7 @@ proptest! {
         let (stable, symmetry, bands) = (scene.stable(), scene.symmetry(), scene.given());
         let end = end.filter(|place| *place < scene.n()).map(Scene::edge);
         let task = Task::of(&stable, &symmetry, &bands, end);
-        let arcs = Arcs::of(&task).expect("nothing jams");
+        let arcs = Arcs::of(&task, &ratio(0, 1)).expect("nothing jams");
         let by_sets = search(&task, &Rule::default(), &mut || false);
         prop_assert_eq!(arcs.fewest(), by_sets.goals.first().map(|goal| by_sets.reached[*goal].n_pins));
         let plan = scene.plan(&Wanted { end, ..Wanted::default() });
@@ -77,7 +78,7 @@ proptest! {
     fn arcs_tell_what_every_set_needs(scene in free_of_jams(4), end in proptest::option::of(0..4_usize)) {
         let (stable, symmetry, bands) = (scene.stable(), scene.symmetry(), scene.given());
         let end = end.filter(|place| *place < scene.n()).map(Scene::edge);
-        let arcs = Arcs::of(&Task::of(&stable, &symmetry, &bands, end)).expect("nothing jams");
+        let arcs = Arcs::of(&Task::of(&stable, &symmetry, &bands, end), &ratio(0, 1)).expect("nothing jams");
         for set in 1..=scene.everything().min(255) {
             let places = set_of(scene.n(), (0..scene.n()).filter(|place| set >> place & 1 == 1));
             prop_assert_eq!(arcs.needed(&places), needed(&scene, set, end), "{:b}", set);
@@ -88,6 +89,6 @@ proptest! {
     fn arcs_do_not_speak_where_a_pin_may_jam(scene in (2..=6_usize).prop_flat_map(|n| scenes(n, walks(n, true).boxed(), 6, false))) {
         let (stable, symmetry, bands) = (scene.stable(), scene.symmetry(), scene.given());
         let jams_some = scene.bands.iter().any(|band| band.2.contains(&None) && band.2.iter().any(Option::is_some));
-        prop_assert!(!(jams_some && Arcs::of(&Task::of(&stable, &symmetry, &bands, None)).is_some()));
+        prop_assert!(!(jams_some && Arcs::of(&Task::of(&stable, &symmetry, &bands, None), &ratio(0, 1)).is_some()));
     }
 }
