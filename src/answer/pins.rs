@@ -148,6 +148,8 @@ pub struct PinPlan {
     pub end: Vec<usize>,
     /// One least tolerance for each number of pins that improves on fewer pins; asked for by the user.
     pub pareto: Vec<Tradeoff>,
+    /// The fewest pins of any sequence, where that is more than were allowed.
+    pub needs: Option<usize>,
     /// Why there is no sequence.
     pub obstacle: Option<Obstacle>,
     /// How much was searched.
@@ -157,7 +159,7 @@ pub struct PinPlan {
 }
 
 /// One pin.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pin {
     /// Where to put it: in the middle of a rational interval inside of the ends.
     pub height: Q,
@@ -178,7 +180,7 @@ pub struct Pin {
 pub struct Tradeoff {
     /// How many pins.
     pub pins: usize,
-    /// The widest least tolerance that so many pins can have.
+    /// The widest least tolerance that so many pins can have, rounded down to twelve digits.
     pub tolerance: Q,
 }
 
@@ -189,15 +191,17 @@ pub struct Obstacle {
     pub smallest_sets: Vec<Vec<usize>>,
     /// Pairs of orientations that no sequence of pins brings together.
     pub inseparable_pairs: Vec<[usize; 2]>,
-    /// Orientations that no pin moves without a jam of some orientation.
+    /// Orientations that no pin moves that may be used on any of the sets that pins can reach.
     pub never_moved: Vec<usize>,
     /// What would help: orientations to be taken off the belt.
     pub wiper: Option<Wiper>,
 }
 
-/// A wiper that takes one orientation off the belt.
+/// A wiper that takes orientations off the belt.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wiper {
+    /// The pins before it.
+    pub pins: Vec<Pin>,
     /// The orientations that are to be discarded after the pins, those that look the same once.
     pub discarded: Vec<usize>,
     /// The orientation that is left.
@@ -209,14 +213,17 @@ pub struct Wiper {
 /// How much was searched.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct PinSearch {
-    /// Bands of heights between critical ones in which some pin does not jam everything.
+    /// Bands of heights between neighbouring critical ones.
     pub height_classes: usize,
-    /// Different outcomes of these.
+    /// Different outcomes of these, not counting that nothing moves.
     pub distinct_outcome_maps: usize,
-    /// Outcomes without a jam of any orientation.
+    /// Those of them that jam no orientation.
     pub usable_first_pins: usize,
-    /// Sets of orientations reached.
+    /// Sets of orientations met, that of all included; not all that can be reached where the search did not need them.
     pub reachable_sets: usize,
+    /// Whether no pin that is of use jams any orientation, so that the number of pins is known from arcs of the cyclic
+    /// order of orientations (Eppstein 1990).
+    pub by_arcs: bool,
 }
 
 /// What a pin of one height does to every orientation.

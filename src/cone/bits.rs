@@ -4,7 +4,7 @@ use crate::exact::{Int, Matrix, Overflow};
 use smallvec::{SmallVec, smallvec};
 
 /// One bit set, on the stack up to 128 members.
-pub(super) type Set = SmallVec<[u64; 2]>;
+pub(crate) type Set = SmallVec<[u64; 2]>;
 
 /// A list of bit sets over the same universe, stored flat.
 #[derive(Debug, Clone)]
@@ -119,7 +119,7 @@ impl BitRows {
 }
 
 /// The set of all members of a universe.
-pub(super) fn all(universe: usize) -> Set {
+pub(crate) fn all(universe: usize) -> Set {
     let mut words: Set = smallvec![u64::MAX; universe.div_ceil(64).max(1)];
     let unused = words.len() * 64 - universe;
     let last = words.len() - 1;
@@ -132,16 +132,16 @@ pub(super) fn intersect(a: &[u64], b: &[u64]) -> Set {
 }
 
 #[inline(always)]
-pub(super) fn count(set: &[u64]) -> usize {
+pub(crate) fn count(set: &[u64]) -> usize {
     set.iter().map(|word| word.count_ones() as usize).sum()
 }
 
-pub(super) fn is_subset(a: &[u64], b: &[u64]) -> bool {
+pub(crate) fn is_subset(a: &[u64], b: &[u64]) -> bool {
     a.iter().zip(b).all(|(x, y)| x & !y == 0)
 }
 
 /// Members of the set in increasing order.
-pub(super) fn members(set: &[u64]) -> impl Iterator<Item = usize> {
+pub(crate) fn members(set: &[u64]) -> impl Iterator<Item = usize> {
     set.iter().enumerate().flat_map(|(index, word)| {
         let mut rest = *word;
         std::iter::from_fn(move || {

@@ -6,10 +6,10 @@
 //!
 //! Sign convention everywhere: a face normal `h` of a cone satisfies `h · x ≤ 0` on it. Polyhedra ([`Polyhedron`]) keep that of their files, `b + a · x ≥ 0`.
 
+pub(crate) mod bits;
 pub mod format;
 
 mod adjacent;
-mod bits;
 mod combination;
 mod convert;
 mod cut;

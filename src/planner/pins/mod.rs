@@ -2,15 +2,17 @@
 
 mod graph;
 mod outcome;
+mod search;
 mod to_answer;
 
-use crate::answer::{Decisions, HeightQuery, Orientation, PinAction, PinPlan, Pins, Symmetry};
+use crate::answer::{Decisions, HeightQuery, Orientation, PinAction, Pins, Symmetry};
 use crate::exact::Q;
 use crate::geometry::symmetry_shift;
 use crate::mechanics::toppling::{Signs, Toppled, Turn};
 use crate::model::{Conveyor, Part, Range, Shape};
 use graph::{actions, overlay};
-use outcome::{Actions, followed, outcomes};
+use outcome::{Actions, bands, followed};
+use search::{Wanted, plan};
 use std::collections::BTreeMap;
 
 /// What is asked of [`pins`].
@@ -89,14 +91,14 @@ pub fn pins(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<
         orientations.push(to_answer::orientation(edge, &turns, &stretches));
         edges.push(Actions { next, stretches });
     }
-    let bands = outcomes(&edges);
+    let wanted = Wanted { end: question.end, max_pins: question.max_pins, pareto: question.pareto };
+    let plan = plan(&stable, &symmetry, &bands(&edges), &wanted, &mut || false);
     let queries = question.heights.iter().map(|height| query(height, &orientations, &edges, &stable)).collect();
     let decisions = Decisions {
         filtered: signs.counter.n_filtered() + signs.filter.n_settled(),
         exact: signs.counter.n_exact() + signs.filter.n_exact(),
     };
-    let _ = bands;
-    Ok(Pins { hull: corners, stable, symmetry, orientations, plan: PinPlan::default(), queries, decisions })
+    Ok(Pins { hull: corners, stable, symmetry, orientations, plan, queries, decisions })
 }
 
 /// One choice of what is uncertain.
