@@ -249,9 +249,7 @@ impl Orientation {
     #[must_use]
     pub fn action_at(&self, height: &Q) -> (Option<PinAction>, bool) {
         let height = Algebraic::from(height.clone());
-        let above = |interval: &ActionInterval| {
-            interval.to.as_ref().is_none_or(|to| height.cmp(to) == Ordering::Less)
-        };
+        let above = |interval: &ActionInterval| interval.to.as_ref().is_none_or(|to| height.cmp(to) == Ordering::Less);
         let at = self.intervals.iter().position(above).expect("the last interval has no end");
         let here = &self.intervals[at];
         if at == 0 || height > here.from {

@@ -5,9 +5,10 @@ pub mod svg;
 pub mod text;
 
 mod decimal;
+mod height;
 mod phrase;
 
-use crate::model::{Fixture, Part};
+use crate::model::{Conveyor, Fixture, Part};
 
 /// What an answer is about.
 #[derive(Debug, Clone, Copy)]
@@ -20,4 +21,21 @@ pub struct Subject<'a> {
     pub fixture: &'a Fixture,
     /// Warnings of the reader.
     pub warnings: &'a [String],
+}
+
+/// What an answer about pins is about.
+#[derive(Debug, Clone, Copy)]
+pub struct Ride<'a> {
+    /// Name of the case, or of its file.
+    pub name: &'a str,
+    /// The part.
+    pub part: &'a Part,
+    /// What carries it.
+    pub conveyor: &'a Conveyor,
+    /// Warnings of the reader.
+    pub warnings: &'a [String],
+    /// The edge of the hull on which it was asked to end.
+    pub end: Option<usize>,
+    /// How many pins were allowed.
+    pub max_pins: Option<usize>,
 }

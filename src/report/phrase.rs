@@ -1,9 +1,9 @@
 //! Plain words for places, directions and verdicts.
 
-use super::Subject;
 use super::decimal::{self, Span, brief, near};
+use super::{Ride, Subject};
 use crate::answer::{
-    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Proposal, Stability, Suggestion,
+    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Stability, Suggestion,
 };
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
@@ -88,6 +88,37 @@ pub(super) fn stability(answer: &Stability) -> String {
         format!("it is certain to rest under {} % of all wrenches", decimal::percent(&strong.volume_in_box))
     };
     format!("{closure}; {strong}")
+}
+
+/// The answer of `plan pins` in one line.
+pub(super) fn pins(ride: &Ride, answer: &Pins) -> String {
+    let plan = &answer.plan;
+    let all = match answer.symmetry.classes.len() {
+        1 => "the one orientation".to_owned(),
+        2 => "both orientations".to_owned(),
+        count => format!("all {count} orientations"),
+    };
+    let goal = ride.end.map_or_else(|| "one".to_owned(), |edge| format!("edge {edge} down"));
+    match (&plan.sequence, plan.limit, ride.max_pins) {
+        (Some(pins), ..) if pins.is_empty() => match answer.stable.as_slice() {
+            [only] => format!("no pins are needed: the part rests on edge {only} only"),
+            stable => format!("no pins are needed: the part looks the same on each of its {} edges", stable.len()),
+        },
+        (Some(pins), ..) => {
+            let end: Vec<String> = plan.end.iter().map(usize::to_string).collect();
+            let alike = if end.len() > 1 { ", which look the same" } else { "" };
+            let turn = if pins.len() == 1 { "pin turns" } else { "pins turn" };
+            format!("{} {turn} {all} into edge {} down{alike}", pins.len(), joined(&end, "or"))
+        }
+        (None, Some(limit), _) => {
+            format!("undecided: the {} limit ended the search for pins that turn {all} into {goal}", limit.name())
+        }
+        (None, None, Some(most)) if plan.obstacle.is_none() => {
+            let pins = if most == 1 { "pin" } else { "pins" };
+            format!("it is proved that {most} {pins} cannot turn {all} into {goal}")
+        }
+        (None, None, _) => format!("it is proved that no pins turn {all} into {goal}"),
+    }
 }
 
 /// Why no wrench is guaranteed to seat the part.
@@ -202,4 +233,14 @@ pub(super) fn joined(words: &[String], conjunction: &str) -> String {
         [only] => only.clone(),
         [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
     }
+}
+
+/// Numbers as [`joined`] by "and", all of them up to `most`, else the first and how many there are more.
+pub(super) fn numbered(numbers: &[usize], most: usize) -> String {
+    let shown = if numbers.len() > most { most - 1 } else { numbers.len() };
+    let mut names: Vec<String> = numbers[..shown].iter().map(usize::to_string).collect();
+    if shown < numbers.len() {
+        names.push(format!("{} more", numbers.len() - shown));
+    }
+    joined(&names, "and")
 }

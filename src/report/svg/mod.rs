@@ -5,12 +5,14 @@ mod contact;
 mod finger;
 mod label;
 mod legend;
+mod pins_stub;
 mod plan;
 mod scene;
 mod suggest;
 mod tilt;
 mod view;
 
+pub use pins_stub::pins;
 pub use suggest::suggestion;
 
 use super::{Subject, phrase};

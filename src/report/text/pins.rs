@@ -1,0 +1,173 @@
+//! `plan pins` in words.
+
+use super::super::decimal::{self, Span};
+use super::super::{Ride, height, phrase};
+use super::lines::Report;
+use super::orientation;
+use crate::answer::{Obstacle, Pin, PinPlan, Pins, Wiper};
+use num_traits::Zero as _;
+use std::collections::BTreeMap;
+
+/// Edges named in full up to this many.
+const MOST_NAMED: usize = 8;
+
+/// The pins as a table, or why there are none, then what pins do to each orientation.
+#[must_use]
+pub fn pins(ride: &Ride, answer: &Pins) -> String {
+    let plan = &answer.plan;
+    let mut report = Report::new(&phrase::pins(ride, answer));
+    if let Some(pins) = plan.sequence.as_ref().filter(|pins| !pins.is_empty()) {
+        table(&mut report, ride, pins);
+    }
+    tradeoffs(&mut report, ride, plan);
+    if let Some(obstacle) = &plan.obstacle {
+        explain(&mut report, answer, obstacle);
+    }
+    if let (None, None, None, Some(most)) = (&plan.sequence, plan.limit, &plan.obstacle, ride.max_pins) {
+        report.line("try", &format!("--max-pins above {most}: more pins were not looked for"));
+    }
+    orientation::queries(&mut report, ride, answer);
+    orientation::orientations(&mut report, answer);
+    searched(&mut report, plan);
+    uncertain(&mut report, ride, plan);
+    report.finish()
+}
+
+fn table(report: &mut Report, ride: &Ride, pins: &[Pin]) {
+    let unit = ride.part.unit.symbol();
+    let headings = [
+        "pin".to_owned(),
+        format!("height {unit}"),
+        "±".to_owned(),
+        format!("same from {unit}"),
+        "to".to_owned(),
+        "what it does".to_owned(),
+    ];
+    let row = |(index, pin): (usize, &Pin)| {
+        let [height, tolerance] = height::with_tolerance(&pin.height, &pin.tolerance);
+        let [from, to] = match height::between(&pin.low, &pin.high) {
+            Span::Between(from, to) => [from, to],
+            Span::Single(at) => [at, String::new()],
+        };
+        [(index + 1).to_string(), height, tolerance, from, to, turns(&pin.outcome)]
+    };
+    let rows: Vec<[String; 6]> = std::iter::once(headings).chain(pins.iter().enumerate().map(row)).collect();
+    report.table(&rows);
+}
+
+/// Which edges go where, and which stay.
+fn turns(outcome: &BTreeMap<usize, usize>) -> String {
+    let mut moved: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut kept = Vec::new();
+    for (from, to) in outcome {
+        if from == to { kept.push(*from) } else { moved.entry(*to).or_default().push(*from) }
+    }
+    let turned = moved.iter().map(|(to, from)| format!("{} to {to}", phrase::numbered(from, MOST_NAMED)));
+    let turned: Vec<String> = turned.collect();
+    let kept = phrase::numbered(&kept, MOST_NAMED);
+    match (turned.is_empty(), kept.is_empty()) {
+        (true, _) => format!("leaves {kept} down"),
+        (false, true) => format!("turns edge {}", turned.join("; ")),
+        (false, false) => format!("turns edge {}; leaves {kept}", turned.join("; ")),
+    }
+}
+
+fn tradeoffs(report: &mut Report, ride: &Ride, plan: &PinPlan) {
+    let rows = plan.pareto.iter().map(|row| {
+        let pins = if row.pins == 1 { "pin" } else { "pins" };
+        let tolerance = decimal::root_at_least(&(&row.tolerance * &row.tolerance));
+        format!("{} {pins}: ±{tolerance} {} at the tightest", row.pins, ride.part.unit.symbol())
+    });
+    let rows: Vec<String> = rows.collect();
+    if !rows.is_empty() {
+        report.list("tolerance", &rows, "");
+    }
+}
+
+fn explain(report: &mut Report, answer: &Pins, obstacle: &Obstacle) {
+    let stable = answer.stable.len();
+    let is_stuck = obstacle.smallest_sets.iter().any(|set| set.len() == stable);
+    if is_stuck {
+        report.line("because", "no pin moves an orientation without jamming one");
+    } else {
+        let sets: Vec<String> = obstacle.smallest_sets.iter().map(|set| left(answer, set)).collect();
+        report.list("because", &sets, "pins leave more than one");
+    }
+    let everything = stable * stable.saturating_sub(1) / 2;
+    let pairs = if obstacle.inseparable_pairs.len() == everything {
+        vec!["no two orientations".to_owned()]
+    } else {
+        partners(&obstacle.inseparable_pairs)
+    };
+    if !pairs.is_empty() {
+        report.line("never one", &format!("no sequence of pins brings together {}", pairs.join("; ")));
+    }
+    if !is_stuck && !obstacle.never_moved.is_empty() {
+        let never = phrase::numbered(&obstacle.never_moved, MOST_NAMED);
+        report.line("never moved", &format!("edge {never} down: every pin that would do so jams an orientation"));
+    }
+    if let Some(wiper) = &obstacle.wiper {
+        report.line("try", &wipe(answer, wiper));
+    }
+}
+
+/// What pins leave of all orientations.
+fn left(answer: &Pins, set: &[usize]) -> String {
+    let edges = phrase::numbered(set, MOST_NAMED);
+    let is_one = answer.symmetry.classes.iter().any(|class| set.iter().all(|edge| class.contains(edge)));
+    if is_one {
+        format!("they can be turned into edge {edges} down instead")
+    } else {
+        format!("whatever the pins, edges {edges} are left")
+    }
+}
+
+/// Each first of the pairs with all of its partners.
+fn partners(pairs: &[[usize; 2]]) -> Vec<String> {
+    let mut partners: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for [first, second] in pairs {
+        partners.entry(*first).or_default().push(*second);
+    }
+    let named = partners
+        .iter()
+        .take(MOST_NAMED)
+        .map(|(first, others)| format!("{first} with {}", phrase::numbered(others, MOST_NAMED)));
+    let more = partners.len().checked_sub(MOST_NAMED).filter(|more| *more > 0);
+    named.chain(more.map(|more| format!("and others with {more} more"))).collect()
+}
+
+fn wipe(answer: &Pins, wiper: &Wiper) -> String {
+    format!(
+        "a wiper behind the pins that takes edge {} off the belt: edge {} is left, {} of {} orientations end there",
+        phrase::numbered(&wiper.discarded, MOST_NAMED),
+        wiper.kept,
+        wiper.yielding,
+        answer.stable.len()
+    )
+}
+
+fn searched(report: &mut Report, plan: &PinPlan) {
+    let searched = &plan.searched;
+    report.line(
+        "searched",
+        &format!(
+            "{} bands of heights with {} different outcomes, {} sets of orientations",
+            searched.height_classes, searched.distinct_outcome_maps, searched.reachable_sets
+        ),
+    );
+}
+
+/// Friction and center of mass, and that the plan holds for all of it.
+fn uncertain(report: &mut Report, ride: &Ride, plan: &PinPlan) {
+    let (belt, pin) = (&ride.conveyor.belt_friction, &ride.conveyor.pin_friction);
+    let tolerance = &ride.part.center_of_mass_tolerance;
+    let mut text = format!("belt {}, pins {}", phrase::range(belt), phrase::range(pin));
+    if !tolerance.is_zero() {
+        text += &format!("; center of mass within ±{} {}", decimal::brief(tolerance), ride.part.unit.symbol());
+    }
+    let is_uncertain = !tolerance.is_zero() || belt.min != belt.max || pin.min != pin.max;
+    if is_uncertain && plan.limit.is_none() {
+        text += ": the answer holds for every value";
+    }
+    report.line("friction", &text);
+}
