@@ -107,15 +107,14 @@ pub(super) fn pins(ride: &Ride, answer: &Pins) -> String {
         (Some(pins), ..) => {
             let end: Vec<String> = plan.end.iter().map(usize::to_string).collect();
             let alike = if end.len() > 1 { ", which look the same" } else { "" };
-            let turn = if pins.len() == 1 { "pin turns" } else { "pins turn" };
-            format!("{} {turn} {all} into edge {} down{alike}", pins.len(), joined(&end, "or"))
+            let turn = if pins.len() == 1 { "turns" } else { "turn" };
+            format!("{} {turn} {all} into edge {} down{alike}", count(pins.len(), "pin"), joined(&end, "or"))
         }
         (None, Some(limit), _) => {
             format!("undecided: the {} limit ended the search for pins that turn {all} into {goal}", limit.name())
         }
         (None, None, Some(most)) if plan.obstacle.is_none() => {
-            let pins = if most == 1 { "pin" } else { "pins" };
-            format!("it is proved that {most} {pins} cannot turn {all} into {goal}")
+            format!("it is proved that {} cannot turn {all} into {goal}", count(most, "pin"))
         }
         (None, None, _) => format!("it is proved that no pins turn {all} into {goal}"),
     }
@@ -243,4 +242,9 @@ pub(super) fn numbered(numbers: &[usize], most: usize) -> String {
         names.push(format!("{} more", numbers.len() - shown));
     }
     joined(&names, "and")
+}
+
+/// `1 pin`, `2 pins`.
+pub(super) fn count(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }

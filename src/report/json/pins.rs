@@ -7,6 +7,7 @@ use crate::answer::{
     ActionInterval, HeightQuery, Limit, Obstacle, Orientation, Pin, PinAction, PinPlan, PinSearch, Pins,
     ToppleInterval, Wiper,
 };
+use crate::exact::Algebraic;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
@@ -60,7 +61,7 @@ fn context(ride: &Ride) -> Map<String, Value> {
 }
 
 fn orientation(orientation: &Orientation) -> Value {
-    let dips = orientation.repeat_over_dip.iter();
+    let dip = |[from, to]: &[Algebraic; 2]| json!({ "from": algebraic(from), "to": algebraic(to) });
     json!({
         "edge": orientation.edge,
         "next": orientation.next,
@@ -70,7 +71,7 @@ fn orientation(orientation: &Orientation) -> Value {
         "height": algebraic(&orientation.height),
         "intervals": orientation.intervals.iter().map(interval).collect::<Value>(),
         "topple": orientation.topple.iter().map(topple).collect::<Value>(),
-        "repeat_over_dip": dips.map(|ends| ends.iter().map(algebraic).collect::<Vec<_>>()).collect::<Value>(),
+        "repeat_over_dip": orientation.repeat_over_dip.iter().map(dip).collect::<Value>(),
     })
 }
 
@@ -130,6 +131,7 @@ fn pin(pin: &Pin) -> Value {
     })
 }
 
+/// `yielding` of the stable edges end on the one that is `kept`.
 fn wiper(wiper: &Wiper) -> Value {
     json!({ "discarded": wiper.discarded, "kept": wiper.kept, "yielding": wiper.yielding })
 }

@@ -3,6 +3,7 @@
 use super::super::decimal::{self, Span};
 use super::super::{Ride, height, phrase};
 use super::lines::Report;
+use super::pins;
 use crate::answer::{HeightQuery, Orientation, PinAction, Pins};
 use std::collections::BTreeMap;
 
@@ -43,8 +44,8 @@ pub(super) fn queries(report: &mut Report, ride: &Ride, answer: &Pins) {
         let label = format!("at {} {}", decimal::brief(&query.height), ride.part.unit.symbol());
         report.line(&label, &fates(query));
         if !query.critical_for.is_empty() {
-            let edges = phrase::numbered(&query.critical_for, MOST_NAMED);
-            report.line("", &format!("exactly critical for edge {edges}: the least error may change what happens"));
+            let edges = pins::edges(&query.critical_for);
+            report.line("", &format!("exactly critical for {edges}: the least error may change what happens"));
         }
     }
 }

@@ -39,9 +39,9 @@ fn table(report: &mut Report, ride: &Ride, pins: &[Pin]) {
         "pin".to_owned(),
         format!("height {unit}"),
         "±".to_owned(),
-        format!("same from {unit}"),
+        format!("works from {unit}"),
         "to".to_owned(),
-        "what it does".to_owned(),
+        "what it does, by edge down".to_owned(),
     ];
     let row = |(index, pin): (usize, &Pin)| {
         let [height, tolerance] = height::with_tolerance(&pin.height, &pin.tolerance);
@@ -66,17 +66,16 @@ fn turns(outcome: &BTreeMap<usize, usize>) -> String {
     let turned: Vec<String> = turned.collect();
     let kept = phrase::numbered(&kept, MOST_NAMED);
     match (turned.is_empty(), kept.is_empty()) {
-        (true, _) => format!("leaves {kept} down"),
-        (false, true) => format!("turns edge {}", turned.join("; ")),
-        (false, false) => format!("turns edge {}; leaves {kept}", turned.join("; ")),
+        (true, _) => format!("leaves {kept}"),
+        (false, true) => format!("turns {}", turned.join("; ")),
+        (false, false) => format!("turns {}; leaves {kept}", turned.join("; ")),
     }
 }
 
 fn tradeoffs(report: &mut Report, ride: &Ride, plan: &PinPlan) {
     let rows = plan.pareto.iter().map(|row| {
-        let pins = if row.pins == 1 { "pin" } else { "pins" };
         let tolerance = decimal::root_at_least(&(&row.tolerance * &row.tolerance));
-        format!("{} {pins}: ±{tolerance} {} at the tightest", row.pins, ride.part.unit.symbol())
+        format!("±{tolerance} {} at the tightest of {}", ride.part.unit.symbol(), phrase::count(row.pins, "pin"))
     });
     let rows: Vec<String> = rows.collect();
     if !rows.is_empty() {
@@ -87,24 +86,24 @@ fn tradeoffs(report: &mut Report, ride: &Ride, plan: &PinPlan) {
 fn explain(report: &mut Report, answer: &Pins, obstacle: &Obstacle) {
     let stable = answer.stable.len();
     let is_stuck = obstacle.smallest_sets.iter().any(|set| set.len() == stable);
-    if is_stuck {
-        report.line("because", "no pin moves an orientation without jamming one");
+    if answer.orientations.iter().all(|orientation| orientation.topple.is_empty()) {
+        report.line("because", "no pin topples the part, whatever its height");
+    } else if is_stuck {
+        report.line("because", "every pin that would move an orientation jams one");
     } else {
         let sets: Vec<String> = obstacle.smallest_sets.iter().map(|set| left(answer, set)).collect();
         report.list("because", &sets, "pins leave more than one");
     }
     let everything = stable * stable.saturating_sub(1) / 2;
-    let pairs = if obstacle.inseparable_pairs.len() == everything {
-        vec!["no two orientations".to_owned()]
-    } else {
-        partners(&obstacle.inseparable_pairs)
-    };
-    if !pairs.is_empty() {
+    if obstacle.inseparable_pairs.len() == everything {
+        report.line("never one", "no sequence of pins brings any two orientations together");
+    } else if !obstacle.inseparable_pairs.is_empty() {
+        let pairs = partners(&obstacle.inseparable_pairs);
         report.line("never one", &format!("no sequence of pins brings together {}", pairs.join("; ")));
     }
     if !is_stuck && !obstacle.never_moved.is_empty() {
-        let never = phrase::numbered(&obstacle.never_moved, MOST_NAMED);
-        report.line("never moved", &format!("edge {never} down: every pin that would do so jams an orientation"));
+        let never = edges(&obstacle.never_moved);
+        report.line("never moved", &format!("{never}: every pin that would do so jams an orientation"));
     }
     if let Some(wiper) = &obstacle.wiper {
         report.line("try", &wipe(answer, wiper));
@@ -113,12 +112,12 @@ fn explain(report: &mut Report, answer: &Pins, obstacle: &Obstacle) {
 
 /// What pins leave of all orientations.
 fn left(answer: &Pins, set: &[usize]) -> String {
-    let edges = phrase::numbered(set, MOST_NAMED);
+    let edges = edges(set);
     let is_one = answer.symmetry.classes.iter().any(|class| set.iter().all(|edge| class.contains(edge)));
     if is_one {
-        format!("they can be turned into edge {edges} down instead")
+        format!("they can be turned into {edges} down instead")
     } else {
-        format!("whatever the pins, edges {edges} are left")
+        format!("whatever the pins, {edges} are left")
     }
 }
 
@@ -138,8 +137,8 @@ fn partners(pairs: &[[usize; 2]]) -> Vec<String> {
 
 fn wipe(answer: &Pins, wiper: &Wiper) -> String {
     format!(
-        "a wiper behind the pins that takes edge {} off the belt: edge {} is left, {} of {} orientations end there",
-        phrase::numbered(&wiper.discarded, MOST_NAMED),
+        "a wiper behind the pins that takes {} off the belt: edge {} is left, {} of {} orientations end there",
+        edges(&wiper.discarded),
         wiper.kept,
         wiper.yielding,
         answer.stable.len()
@@ -151,8 +150,10 @@ fn searched(report: &mut Report, plan: &PinPlan) {
     report.line(
         "searched",
         &format!(
-            "{} bands of heights with {} different outcomes, {} sets of orientations",
-            searched.height_classes, searched.distinct_outcome_maps, searched.reachable_sets
+            "{} of heights with {}, {} of orientations",
+            phrase::count(searched.height_classes, "band"),
+            phrase::count(searched.distinct_outcome_maps, "different outcome"),
+            phrase::count(searched.reachable_sets, "set")
         ),
     );
 }
@@ -170,4 +171,9 @@ fn uncertain(report: &mut Report, ride: &Ride, plan: &PinPlan) {
         text += ": the answer holds for every value";
     }
     report.line("friction", &text);
+}
+
+/// `edge 1`, `edges 1, 2 and 3`.
+pub(super) fn edges(edges: &[usize]) -> String {
+    format!("edge{} {}", if edges.len() == 1 { "" } else { "s" }, phrase::numbered(edges, MOST_NAMED))
 }
