@@ -24,11 +24,11 @@ pub struct Args {
     heights: Vec<Q>,
 
     /// Let the part end with this edge of its hull down
-    #[arg(long, value_name = "EDGE")]
+    #[arg(long, value_name = "EDGE", value_parser = whole)]
     end: Option<usize>,
 
     /// Use so many pins at most
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole)]
     max_pins: Option<usize>,
 
     /// Also give the widest tolerance that more pins allow
@@ -78,6 +78,11 @@ impl Args {
 fn height(text: &str) -> Result<Q, HeightError> {
     let height = parse_literal(text.trim())?;
     if height.is_positive() { Ok(height) } else { Err(HeightError::NotAbove) }
+}
+
+/// Reads a number of edges or pins.
+fn whole(text: &str) -> Result<usize, &'static str> {
+    text.trim().parse().map_err(|_| "expected a whole number, 2 for instance")
 }
 
 /// Why a text is not the height of a pin.

@@ -81,9 +81,9 @@ fn by_edge<T>(value: &Value, of: impl Fn(&Value) -> T) -> BTreeMap<usize, T> {
     value.as_object().unwrap().iter().map(|(edge, value)| (edge.parse().unwrap(), of(value))).collect()
 }
 
-/// A published height is a pair of decimals that enclose it; the lower one stands for it here.
+/// A published height is a pair of decimals that enclose it; the upper one stands for it here.
 fn height(value: &Value) -> Algebraic {
-    number(&value[0]).into()
+    number(&value[1]).into()
 }
 
 fn action(value: &Value) -> PinAction {
