@@ -55,9 +55,9 @@ pub struct Orientation {
     pub intervals: Vec<ActionInterval>,
     /// The heights that topple the part, by the edge that the pin touches first.
     pub topple: Vec<ToppleInterval>,
-    /// Heights called [`PinAction::Repeat`] although the part ducks below the pin while it settles: how fast it falls decides
-    /// whether they meet again.
-    pub repeat_over_dip: Vec<[Algebraic; 2]>,
+    /// Heights between the lowest to which the part ducks while it settles and its height after that: whether those of
+    /// them that are called [`PinAction::Repeat`] meet the part again depends on how fast it falls. `None` if none is.
+    pub repeat_over_dip: Option<[Algebraic; 2]>,
     /// The curves of the toppling graph while the part turns from here to the next stable edge; for pictures only.
     pub curves: Vec<Curve>,
 }
@@ -86,8 +86,8 @@ pub enum CurveKind {
 
 /// Heights at which a pin does the same.
 ///
-/// At an end shared by two intervals the part jams if it does so on either side; otherwise what is said of the upper
-/// one holds.
+/// What happens at an end shared by two intervals [`Orientation::action_at`] says. A single height that jams has an interval of
+/// its own.
 #[derive(Debug, Clone)]
 pub struct ActionInterval {
     /// The lower end; zero is not a height.
@@ -148,6 +148,8 @@ pub struct PinPlan {
     pub end: Vec<usize>,
     /// One least tolerance for each number of pins that improves on fewer pins; asked for by the user.
     pub pareto: Vec<Tradeoff>,
+    /// The fewest pins of any sequence, where that is more than were allowed.
+    pub needs: Option<usize>,
     /// Why there is no sequence.
     pub obstacle: Option<Obstacle>,
     /// How much was searched.
@@ -157,7 +159,7 @@ pub struct PinPlan {
 }
 
 /// One pin.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pin {
     /// Where to put it: in the middle of a rational interval inside of the ends.
     pub height: Q,
@@ -178,7 +180,7 @@ pub struct Pin {
 pub struct Tradeoff {
     /// How many pins.
     pub pins: usize,
-    /// The widest least tolerance that so many pins can have.
+    /// The widest least tolerance that so many pins can have, rounded down to twelve digits.
     pub tolerance: Q,
 }
 
@@ -189,15 +191,17 @@ pub struct Obstacle {
     pub smallest_sets: Vec<Vec<usize>>,
     /// Pairs of orientations that no sequence of pins brings together.
     pub inseparable_pairs: Vec<[usize; 2]>,
-    /// Orientations that no pin moves without a jam of some orientation.
+    /// Orientations that no pin moves that may be used on any of the sets that pins can reach.
     pub never_moved: Vec<usize>,
     /// What would help: orientations to be taken off the belt.
     pub wiper: Option<Wiper>,
 }
 
-/// A wiper that takes one orientation off the belt.
+/// A wiper that takes orientations off the belt.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wiper {
+    /// The pins before it.
+    pub pins: Vec<Pin>,
     /// The orientations that are to be discarded after the pins, those that look the same once.
     pub discarded: Vec<usize>,
     /// The orientation that is left.
@@ -209,14 +213,17 @@ pub struct Wiper {
 /// How much was searched.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct PinSearch {
-    /// Bands of heights between critical ones in which some pin does not jam everything.
+    /// Bands of heights between neighbouring critical ones.
     pub height_classes: usize,
-    /// Different outcomes of these.
+    /// Different outcomes of these, not counting that nothing moves.
     pub distinct_outcome_maps: usize,
-    /// Outcomes without a jam of any orientation.
+    /// Those of them that jam no orientation.
     pub usable_first_pins: usize,
-    /// Sets of orientations reached.
+    /// Sets of orientations met, that of all included; not all that can be reached where the search did not need them.
     pub reachable_sets: usize,
+    /// Whether no pin that is of use jams any orientation, so that the number of pins is known from arcs of the cyclic
+    /// order of orientations (Eppstein 1990).
+    pub by_arcs: bool,
 }
 
 /// What a pin of one height does to every orientation.
@@ -241,11 +248,20 @@ pub struct Decisions {
     pub exact: u64,
 }
 
+impl PinPlan {
+    /// Whether it is known if there is a sequence: there is one, or more pins would be needed than are allowed, or none
+    /// exists.
+    #[must_use]
+    pub fn is_decided(&self) -> bool {
+        self.sequence.is_some() || self.needs.is_some() || self.obstacle.is_some()
+    }
+}
+
 impl Orientation {
     /// What a pin does at `height`, above zero, and whether that is exactly a critical height.
     ///
-    /// The heights that jam are a closed set: a critical height jams if one of its sides does, and does otherwise what
-    /// heights above it do.
+    /// A part as high as the pin passes under it. Otherwise a critical height jams if one of its sides does, since the
+    /// heights that jam are a closed set, and does what heights above it do if none does.
     #[must_use]
     pub fn action_at(&self, height: &Q) -> (Option<PinAction>, bool) {
         let height = Algebraic::from(height.clone());
@@ -256,7 +272,11 @@ impl Orientation {
             return (here.action, false);
         }
         let below = self.intervals[at - 1].action;
-        let jams = [below, here.action].contains(&Some(PinAction::Jam));
-        (if jams { Some(PinAction::Jam) } else { here.action.and(below.and(here.action)) }, true)
+        let action = match (below, here.action) {
+            (_, Some(PinAction::PassUnder)) => here.action,
+            (Some(PinAction::Jam), _) | (_, Some(PinAction::Jam)) => Some(PinAction::Jam),
+            (below, action) => below.and(action),
+        };
+        (action, true)
     }
 }

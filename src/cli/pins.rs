@@ -61,10 +61,10 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
         output::picture(path, &report::svg::pins(&ride, &found))?;
     }
     output::answer(out, common.format, || report::text::pins(&ride, &found), || report::json::pins(&ride, &found))?;
-    Ok(match (&found.plan.sequence, found.plan.limit) {
+    Ok(match (&found.plan.sequence, found.plan.is_decided()) {
         (Some(_), _) => Outcome::Yes,
-        (None, None) => Outcome::No,
-        (None, Some(_)) => Outcome::Undecided,
+        (None, true) => Outcome::No,
+        (None, false) => Outcome::Undecided,
     })
 }
 

@@ -4,7 +4,7 @@ mod critical;
 mod directions;
 mod fingers;
 mod insert;
-mod pins_stub;
+mod pins;
 mod recommend;
 mod robust;
 mod seating;
@@ -16,7 +16,7 @@ mod transitions;
 mod witness;
 
 pub use insert::insertion;
-pub use pins_stub::{PinQuestion, PinsError, pins};
+pub use pins::{PinQuestion, PinsError, pins};
 pub use sets::{Question, mode_cones};
 pub use stability::stability;
 pub use suggest::{Progress, Stage, SuggestError, suggest};

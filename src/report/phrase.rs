@@ -99,24 +99,31 @@ pub(super) fn pins(ride: &Ride, answer: &Pins) -> String {
         count => format!("all {count} orientations"),
     };
     let goal = ride.end.map_or_else(|| "one".to_owned(), |edge| format!("edge {edge} down"));
-    match (&plan.sequence, plan.limit, ride.max_pins) {
-        (Some(pins), ..) if pins.is_empty() => match answer.stable.as_slice() {
-            [only] => format!("no pins are needed: the part rests on edge {only} only"),
-            stable => format!("no pins are needed: the part looks the same on each of its {} edges", stable.len()),
-        },
-        (Some(pins), ..) => {
-            let end: Vec<String> = plan.end.iter().map(usize::to_string).collect();
-            let alike = if end.len() > 1 { ", which look the same" } else { "" };
-            let turn = if pins.len() == 1 { "turns" } else { "turn" };
-            format!("{} {turn} {all} into edge {} down{alike}", count(pins.len(), "pin"), joined(&end, "or"))
+    let turn = if ride.is_uncertain() { "are certain to turn" } else { "turn" };
+    if let Some(pins) = &plan.sequence {
+        return match (pins.len(), answer.stable.as_slice()) {
+            (0, [only]) => format!("no pins are needed: the part rests on edge {only} only"),
+            (0, stable) => {
+                format!("no pins are needed: the part looks the same on each of its {} edges", stable.len())
+            }
+            (n, _) => {
+                let end: Vec<String> = plan.end.iter().map(usize::to_string).collect();
+                let alike = if end.len() > 1 { ", which look the same" } else { "" };
+                let turn = if n == 1 { "turns" } else { "turn" };
+                format!("{} {turn} {all} into edge {} down{alike}", count(n, "pin"), joined(&end, "or"))
+            }
+        };
+    }
+    match (plan.needs, &plan.obstacle, plan.limit) {
+        (Some(least), ..) => {
+            let most = ride.max_pins.map_or_else(String::new, |most| format!(", more than the {most} allowed"));
+            format!("it takes {} to turn {all} into {goal}{most}", count(least, "pin"))
         }
-        (None, Some(limit), _) => {
+        (None, Some(_), _) => format!("it is proved that no pins {turn} {all} into {goal}"),
+        (None, None, Some(limit)) => {
             format!("undecided: the {} limit ended the search for pins that turn {all} into {goal}", limit.name())
         }
-        (None, None, Some(most)) if plan.obstacle.is_none() => {
-            format!("it is proved that {} cannot turn {all} into {goal}", count(most, "pin"))
-        }
-        (None, None, _) => format!("it is proved that no pins turn {all} into {goal}"),
+        (None, None, None) => format!("undecided: whether pins turn {all} into {goal} was not found out"),
     }
 }
 

@@ -125,8 +125,7 @@ fn orientation(expected: &Value) -> Orientation {
         from: height(&interval["from"]),
         to: height(&interval["to"]),
     });
-    // one at most is published
-    let dips = expected.get("repeat_over_dip").map(|ends| [height(&ends[0]), height(&ends[1])]);
+    let dip = expected.get("repeat_over_dip").map(|ends| [height(&ends[0]), height(&ends[1])]);
     Orientation {
         edge: edge(&expected["edge"]),
         next: edge(&expected["next"]),
@@ -136,7 +135,7 @@ fn orientation(expected: &Value) -> Orientation {
         height: height(&expected["height"]),
         intervals: intervals.collect(),
         topple: topple.collect(),
-        repeat_over_dip: dips.into_iter().collect(),
+        repeat_over_dip: dip,
         curves: Vec::new(),
     }
 }
@@ -159,6 +158,7 @@ fn plan(expected: &Value, orientations: &[Orientation]) -> PinPlan {
         distinct_outcome_maps: count("distinct_outcome_maps"),
         usable_first_pins: count("usable_first_pins"),
         reachable_sets: count("reachable_sets"),
+        by_arcs: false,
     };
     if plan["pins"].is_null() {
         let pairs = list(&plan["inseparable_pairs"]).iter().map(|pair| edges(pair).try_into().unwrap());

@@ -138,45 +138,48 @@ fn published_action(orientation: &Value, height: &Q) -> String {
 #[test]
 fn what_hinders_a_plan_is_named() {
     let text = words(&unasked("pentagon"));
-    assert_eq!(after(&text, "because"), "whatever the pins, edges 0 and 2 are left");
+    assert_eq!(after(&text, "because"), "pins leave edges 0 and 2 at best");
     assert_eq!(after(&text, "never one"), "no sequence of pins brings together 0 with 2, 3 and 4; 1 with 2, 3 and 4");
-    assert!(after(&text, "never moved").starts_with("edges 0 and 2: every pin that would do so jams"));
-    assert!(text.contains("avoid about 7 to 7.6026: it ducks below the pin"));
+    assert!(after(&text, "never moved").starts_with("edges 0 and 2: no pin moves them without jamming"));
+    assert!(text.contains("where it repeats about 7 to 7.6026 it ducks below the pin"));
     let text = words(&unasked("kite"));
     assert_eq!(after(&text, "because"), "no pin topples the part, whatever its height");
     assert_eq!(after(&text, "never one"), "no sequence of pins brings any two orientations together");
     let text = words(&unasked("paper_fit_stated_friction"));
-    assert_eq!(after(&text, "because"), "every pin that would move an orientation jams one");
+    assert_eq!(after(&text, "because"), "no pin moves an orientation without jamming one that may come along");
 }
 
 #[test]
-fn a_wiper_is_proposed_with_its_yield() {
+fn a_wiper_is_proposed_with_its_pins_and_yield() {
     let mut published = unasked("pentagon");
+    let pins = unasked("hexagon_order_2").answer.plan.sequence.unwrap();
     let obstacle = published.answer.plan.obstacle.as_mut().unwrap();
-    obstacle.wiper = Some(Wiper { discarded: vec![2], kept: 0, yielding: 2 });
+    obstacle.wiper = Some(Wiper { pins, discarded: vec![2], kept: 0, yielding: 2 });
     let text = words(&published);
     let proposed =
-        "a wiper behind the pins that takes edge 2 off the belt: edge 0 is left, 2 of 5 orientations end there";
+        "1 pin and behind them a wiper that takes edge 2 off the belt: edge 0 is left, 2 of 5 orientations end there";
     assert_eq!(after(&text, "try"), proposed);
+    assert_eq!(rows(&text).len(), 1);
+    published.answer.plan.obstacle.as_mut().unwrap().wiper.as_mut().unwrap().pins.clear();
+    let text = words(&published);
+    assert!(after(&text, "try").starts_with("a wiper that takes edge 2 off the belt: "), "{text}");
+    assert_eq!(rows(&text).len(), 0);
 }
 
 #[test]
 fn what_was_asked_is_answered() {
     let mut published = unasked("three_pins");
-    published.answer.plan = PinPlan::default();
+    published.answer.plan = PinPlan { needs: Some(3), ..PinPlan::default() };
     let ride = Ride { max_pins: Some(2), ..published.ride() };
     let text = text::pins(&ride, &published.answer);
-    assert_eq!(first_line(&text), "it is proved that 2 pins cannot turn all 4 orientations into one");
-    assert!(after(&text, "try").starts_with("--max-pins above 2"));
-    let ride = Ride { max_pins: Some(1), end: Some(5), ..published.ride() };
-    let text = text::pins(&ride, &published.answer);
-    assert_eq!(first_line(&text), "it is proved that 1 pin cannot turn all 4 orientations into edge 5 down");
+    assert_eq!(first_line(&text), "it takes 3 pins to turn all 4 orientations into one, more than the 2 allowed");
+    assert_eq!(after(&text, "try"), "--max-pins 3");
     let mut published = unasked("pentagon");
     published.answer.plan.obstacle.as_mut().unwrap().smallest_sets = vec![vec![3]];
     let ride = Ride { end: Some(1), max_pins: Some(9), ..published.ride() };
     let text = text::pins(&ride, &published.answer);
     assert_eq!(first_line(&text), "it is proved that no pins turn all 5 orientations into edge 1 down");
-    assert_eq!(after(&text, "because"), "they can be turned into edge 3 down instead");
+    assert_eq!(after(&text, "because"), "pins can turn them into edge 3 down instead");
 }
 
 #[test]
@@ -187,6 +190,19 @@ fn a_limit_is_said_and_nothing_is_claimed() {
     let said = "undecided: the time limit ended the search for pins that turn all 5 orientations into one";
     assert_eq!(first_line(&text), said);
     assert!(!text.contains("proved"));
+}
+
+/// A sequence may be found, or none proved to exist, before the search is complete.
+#[test]
+fn a_limit_may_come_after_the_answer() {
+    for name in ["three_pins", "pentagon"] {
+        let mut published = unasked(name);
+        let answer = first_line(&words(&published)).to_owned();
+        published.answer.plan.limit = Some(Limit::Memory);
+        let text = words(&published);
+        assert_eq!(first_line(&text), answer);
+        assert_eq!(after(&text, "incomplete"), "the memory limit ended the search: better ones may exist");
+    }
 }
 
 #[test]
@@ -218,11 +234,16 @@ fn what_depends_on_uncertain_values_is_said() {
             "1: undetermined, it depends on what is uncertain; 2 and 4: repeat, then jam or it is uncertain"
         )
     );
-    assert_eq!(after(&text, "friction"), "belt 20, pins 0.05 to 0.1: the answer holds for every value");
+    assert_eq!(after(&text, "friction"), "belt 20, pins 0.05 to 0.1: the plan holds for every value");
     published.case.part.center_of_mass_tolerance = ratio(1, 4);
     let text = words(&published);
-    let said = "belt 20, pins 0.05 to 0.1; center of mass within ±0.25 m: the answer holds for every value";
+    let said = "belt 20, pins 0.05 to 0.1; center of mass within ±0.25 m: the plan holds for every value";
     assert_eq!(after(&text, "friction"), said);
+    let mut published = unasked("pentagon");
+    published.case.part.center_of_mass_tolerance = ratio(1, 4);
+    let text = words(&published);
+    assert_eq!(first_line(&text), "it is proved that no pins are certain to turn all 5 orientations into one");
+    assert!(after(&text, "friction").ends_with("no plan holds for every value, one may for narrower ranges"));
 }
 
 #[test]

@@ -31,10 +31,10 @@ pub fn pins(ride: &Ride, answer: &Pins) -> Value {
     result.insert("queries".into(), answer.queries.iter().map(query).collect());
     let decisions = &answer.decisions;
     result.insert("decisions".into(), json!({ "filtered": decisions.filtered, "exact": decisions.exact }));
-    let status = match (&answer.plan.sequence, answer.plan.limit) {
+    let status = match (&answer.plan.sequence, answer.plan.is_decided()) {
         (Some(_), _) => "plan",
-        (None, None) => "no-plan",
-        (None, Some(_)) => "undecided",
+        (None, true) => "no-plan",
+        (None, false) => "undecided",
     };
     envelope_of(ride.name, ride.part, PINS, status, result)
 }
@@ -62,6 +62,7 @@ fn context(ride: &Ride) -> Map<String, Value> {
 
 fn orientation(orientation: &Orientation) -> Value {
     let dip = |[from, to]: &[Algebraic; 2]| json!({ "from": algebraic(from), "to": algebraic(to) });
+    let dip = orientation.repeat_over_dip.as_ref().map(dip);
     json!({
         "edge": orientation.edge,
         "next": orientation.next,
@@ -71,7 +72,7 @@ fn orientation(orientation: &Orientation) -> Value {
         "height": algebraic(&orientation.height),
         "intervals": orientation.intervals.iter().map(interval).collect::<Value>(),
         "topple": orientation.topple.iter().map(topple).collect::<Value>(),
-        "repeat_over_dip": orientation.repeat_over_dip.iter().map(dip).collect::<Value>(),
+        "repeat_over_dip": dip,
     })
 }
 
@@ -90,12 +91,13 @@ fn topple(interval: &ToppleInterval) -> Value {
 /// `final` is the edge on which the part ends, the first one where several look the same; `final_edges` are all of them.
 fn plan(plan: &PinPlan) -> Value {
     let has_end = plan.sequence.is_some();
-    let PinSearch { height_classes, distinct_outcome_maps, usable_first_pins, reachable_sets } = plan.searched;
+    let PinSearch { height_classes, distinct_outcome_maps, usable_first_pins, reachable_sets, by_arcs } = plan.searched;
     let obstacle = plan.obstacle.as_ref();
     let of = |part: fn(&Obstacle) -> Value| obstacle.map(part);
     let mut value = json!({
         "pins": plan.sequence.as_ref().map(Vec::len),
         "sequence": plan.sequence.as_ref().map(|pins| pins.iter().map(pin).collect::<Value>()),
+        "needs": plan.needs,
         "final": plan.end.first().filter(|_| has_end),
         "final_edges": has_end.then_some(&plan.end),
         "smallest_sets": of(|obstacle| json!(obstacle.smallest_sets)),
@@ -107,6 +109,7 @@ fn plan(plan: &PinPlan) -> Value {
             "distinct_outcome_maps": distinct_outcome_maps,
             "usable_first_pins": usable_first_pins,
             "reachable_sets": reachable_sets,
+            "by_arcs": by_arcs,
         },
         "complete": plan.limit.is_none(),
     });
@@ -133,7 +136,12 @@ fn pin(pin: &Pin) -> Value {
 
 /// `yielding` of the stable edges end on the one that is `kept`.
 fn wiper(wiper: &Wiper) -> Value {
-    json!({ "discarded": wiper.discarded, "kept": wiper.kept, "yielding": wiper.yielding })
+    json!({
+        "pins": wiper.pins.iter().map(pin).collect::<Value>(),
+        "discarded": wiper.discarded,
+        "kept": wiper.kept,
+        "yielding": wiper.yielding,
+    })
 }
 
 fn query(query: &HeightQuery) -> Value {

@@ -24,10 +24,9 @@ pub(super) fn orientations(report: &mut Report, answer: &Pins) {
             others => format!("; {} alike", phrase::numbered(others, MOST_NAMED)),
         };
         report.line(&format!("edge {}", orientation.edge), &(describe(orientation) + &alike));
-        if !orientation.repeat_over_dip.is_empty() {
-            let dips = orientation.repeat_over_dip.iter().map(|[from, to]| about(from.to_f64(), to.to_f64()));
-            let dips = phrase::joined(&dips.take(MOST_HEIGHTS).collect::<Vec<_>>(), "and");
-            report.line("", &format!("avoid {dips}: it ducks below the pin, and may pass or meet it again"));
+        if let Some([from, to]) = &orientation.repeat_over_dip {
+            let dip = about(from.to_f64(), to.to_f64());
+            report.line("", &format!("where it repeats {dip} it ducks below the pin, and may pass instead"));
         }
     }
     if shown < classes.len() {

@@ -16,15 +16,16 @@ const MOST_NAMED: usize = 8;
 pub fn pins(ride: &Ride, answer: &Pins) -> String {
     let plan = &answer.plan;
     let mut report = Report::new(&phrase::pins(ride, answer));
-    if let Some(pins) = plan.sequence.as_ref().filter(|pins| !pins.is_empty()) {
-        table(&mut report, ride, pins);
-    }
+    table(&mut report, ride, plan.sequence.as_deref().unwrap_or_default());
     tradeoffs(&mut report, ride, plan);
     if let Some(obstacle) = &plan.obstacle {
-        explain(&mut report, answer, obstacle);
+        explain(&mut report, ride, answer, obstacle);
     }
-    if let (None, None, None, Some(most)) = (&plan.sequence, plan.limit, &plan.obstacle, ride.max_pins) {
-        report.line("try", &format!("--max-pins above {most}: more pins were not looked for"));
+    if let Some(least) = plan.needs {
+        report.line("try", &format!("--max-pins {least}"));
+    }
+    if let (Some(limit), true) = (plan.limit, plan.is_decided()) {
+        report.line("incomplete", &format!("the {} limit ended the search: better ones may exist", limit.name()));
     }
     orientation::queries(&mut report, ride, answer);
     orientation::orientations(&mut report, answer);
@@ -33,7 +34,11 @@ pub fn pins(ride: &Ride, answer: &Pins) -> String {
     report.finish()
 }
 
+/// A row for each pin; nothing if there are none.
 fn table(report: &mut Report, ride: &Ride, pins: &[Pin]) {
+    if pins.is_empty() {
+        return;
+    }
     let unit = ride.part.unit.symbol();
     let headings = [
         "pin".to_owned(),
@@ -83,13 +88,13 @@ fn tradeoffs(report: &mut Report, ride: &Ride, plan: &PinPlan) {
     }
 }
 
-fn explain(report: &mut Report, answer: &Pins, obstacle: &Obstacle) {
+fn explain(report: &mut Report, ride: &Ride, answer: &Pins, obstacle: &Obstacle) {
     let stable = answer.stable.len();
     let is_stuck = obstacle.smallest_sets.iter().any(|set| set.len() == stable);
     if answer.orientations.iter().all(|orientation| orientation.topple.is_empty()) {
         report.line("because", "no pin topples the part, whatever its height");
     } else if is_stuck {
-        report.line("because", "every pin that would move an orientation jams one");
+        report.line("because", "no pin moves an orientation without jamming one that may come along");
     } else {
         let sets: Vec<String> = obstacle.smallest_sets.iter().map(|set| left(answer, set)).collect();
         report.list("because", &sets, "pins leave more than one");
@@ -103,10 +108,11 @@ fn explain(report: &mut Report, answer: &Pins, obstacle: &Obstacle) {
     }
     if !is_stuck && !obstacle.never_moved.is_empty() {
         let never = edges(&obstacle.never_moved);
-        report.line("never moved", &format!("{never}: every pin that would do so jams an orientation"));
+        report.line("never moved", &format!("{never}: no pin moves them without jamming what may come along"));
     }
     if let Some(wiper) = &obstacle.wiper {
         report.line("try", &wipe(answer, wiper));
+        table(report, ride, &wiper.pins);
     }
 }
 
@@ -114,11 +120,7 @@ fn explain(report: &mut Report, answer: &Pins, obstacle: &Obstacle) {
 fn left(answer: &Pins, set: &[usize]) -> String {
     let edges = edges(set);
     let is_one = answer.symmetry.classes.iter().any(|class| set.iter().all(|edge| class.contains(edge)));
-    if is_one {
-        format!("they can be turned into {edges} down instead")
-    } else {
-        format!("whatever the pins, {edges} are left")
-    }
+    if is_one { format!("pins can turn them into {edges} down instead") } else { format!("pins leave {edges} at best") }
 }
 
 /// Each first of the pairs with all of its partners.
@@ -136,8 +138,12 @@ fn partners(pairs: &[[usize; 2]]) -> Vec<String> {
 }
 
 fn wipe(answer: &Pins, wiper: &Wiper) -> String {
+    let behind = match wiper.pins.len() {
+        0 => "a wiper".to_owned(),
+        n => format!("{} and behind them a wiper", phrase::count(n, "pin")),
+    };
     format!(
-        "a wiper behind the pins that takes {} off the belt: edge {} is left, {} of {} orientations end there",
+        "{behind} that takes {} off the belt: edge {} is left, {} of {} orientations end there",
         edges(&wiper.discarded),
         wiper.kept,
         wiper.yielding,
@@ -158,17 +164,18 @@ fn searched(report: &mut Report, plan: &PinPlan) {
     );
 }
 
-/// Friction and center of mass, and that the plan holds for all of it.
+/// Friction and center of mass, and for what of it the answer holds.
 fn uncertain(report: &mut Report, ride: &Ride, plan: &PinPlan) {
-    let (belt, pin) = (&ride.conveyor.belt_friction, &ride.conveyor.pin_friction);
-    let tolerance = &ride.part.center_of_mass_tolerance;
-    let mut text = format!("belt {}, pins {}", phrase::range(belt), phrase::range(pin));
+    let (conveyor, tolerance) = (ride.conveyor, &ride.part.center_of_mass_tolerance);
+    let (belt, pins) = (phrase::range(&conveyor.belt_friction), phrase::range(&conveyor.pin_friction));
+    let mut text = format!("belt {belt}, pins {pins}");
     if !tolerance.is_zero() {
         text += &format!("; center of mass within ±{} {}", decimal::brief(tolerance), ride.part.unit.symbol());
     }
-    let is_uncertain = !tolerance.is_zero() || belt.min != belt.max || pin.min != pin.max;
-    if is_uncertain && plan.limit.is_none() {
-        text += ": the answer holds for every value";
+    if ride.is_uncertain() && plan.sequence.is_some() {
+        text += ": the plan holds for every value";
+    } else if ride.is_uncertain() && plan.is_decided() {
+        text += ": no plan holds for every value, one may for narrower ranges";
     }
     report.line("friction", &text);
 }
