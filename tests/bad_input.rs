@@ -1,6 +1,7 @@
 //! Bad case files: what is said, where, and what would be right.
 
-use partplan::case::{Fault, Limits, missing_section, read, render};
+use partplan::case::{Fault, Limits, Section, missing_section, read, read_for, render};
+use partplan::exact::ratio;
 use proptest::prelude::*;
 
 /// A bad file, `§` before the character that the fault must point at, and what must be said of it.
@@ -136,21 +137,21 @@ fn values_of_the_wrong_shape() {
             "known keys here: shape, center_of_mass",
         ),
         bad(
-            part("\"mass\": 1}, §\"inserts\": {}, \"pins\": {\"x\": 1"),
+            part("\"mass\": 1}, §\"inserts\": {}, \"throw\": {\"x\": 1"),
             "C011",
             "inserts",
             "unknown key `inserts`",
             "`insert`",
         ),
         bad(
-            part("\"mass\": 1}, \"name\": §3, \"pins\": {\"x\": 1"),
+            part("\"mass\": 1}, \"name\": §3, \"throw\": {\"x\": 1"),
             "C012",
             "name",
             "expected a string, found a number",
             "\"name\"",
         ),
         bad(
-            part("\"mass\": 1}, \"length_unit\": §\"inch\", \"pins\": {\"x\": 1"),
+            part("\"mass\": 1}, \"length_unit\": §\"inch\", \"throw\": {\"x\": 1"),
             "C016",
             "length_unit",
             "unit of length `inch`",
@@ -651,6 +652,97 @@ fn friction_that_cannot_be() {
 }
 
 #[test]
+fn sections_of_pins() {
+    let square = "\"part\": {\"shape\": {\"polygon\": [[0, 0], [1, 0], [1, 1], [0, 1]]}}";
+    let section = |section: &str| format!("{{{square},\n \"pins\": {section}}}");
+    let pin = |friction: &str| section(&format!("{{\"belt_friction\": 1, \"pin_friction\": {friction}}}"));
+    let single = r#"write 0.2, {"min": 0.1, "max": 0.3} or {"angle_deg": 15}"#;
+    let circle = "{\"part\": {\"shape\": {\"circle\": {\"center\": [0, 0], \"radius\": 1}}},\n";
+    for case in [
+        bad(section("§[]"), "C012", "pins", "expected an object, found a list", "belt_friction"),
+        bad(section("§{\"belt_friction\": 1}"), "C014", "pins.pin_friction", "`pin_friction` is missing", single),
+        bad(section("§{\"pin_friction\": 1}"), "C014", "pins.belt_friction", "`belt_friction` is missing", single),
+        bad(
+            section("{\"belt_friction\": 1, \"pin_friction\": 0, §\"pin_frictoin\": 0}"),
+            "C011",
+            "pins.pin_frictoin",
+            "unknown key `pin_frictoin`",
+            "did you mean `pin_friction`?",
+        ),
+        bad(
+            section("{\"belt_friction\": 1, \"pin_friction\": 0, §\"speed\": 2}"),
+            "C011",
+            "pins.speed",
+            "unknown key `speed`",
+            "known keys here: belt_friction, pin_friction",
+        ),
+        bad(pin("§-0.1"), "C023", "pins.pin_friction", "must not be negative, not -0.1", single),
+        bad(pin("{\"min\": §\"-1/3\", \"max\": 1}"), "C023", "pins.pin_friction.min", "not be negative", single),
+        bad(pin("§null"), "C012", "pins.pin_friction", "expected a number or an object, found null", single),
+        bad(pin("§\"smooth\""), "C020", "pins.pin_friction", "`smooth`", "1e-3"),
+        bad(pin("§\"NaN\""), "C006", "pins.pin_friction", "`NaN` is not a finite number", "1e-3"),
+        bad(
+            pin("{§\"static\": 0.3, \"kinetic\": 0.2}"),
+            "C061",
+            "pins.pin_friction.static",
+            "one coefficient or range, without `static`",
+            r#"or {"min": 0.2, "max": 0.3} to cover both"#,
+        ),
+        bad(
+            pin("{\"min\": 0, \"max\": 1, §\"kinetic\": 0.2}"),
+            "C061",
+            "pins.pin_friction.kinetic",
+            "without `kinetic`",
+            "to cover both",
+        ),
+        bad(pin("{\"min\": §2, \"max\": 1}"), "C025", "pins.pin_friction.min", "min 2 is above max 1", "swap"),
+        bad(pin("§{\"min\": 2}"), "C014", "pins.pin_friction.max", "`max` is missing", single),
+        bad(
+            pin("{\"angle_deg\": 5, §\"max\": 1}"),
+            "C015",
+            "pins.pin_friction.max",
+            "`angle_deg` and `max` exclude each other",
+            single,
+        ),
+        bad(
+            pin("{\"angle_deg\": {\"min\": 5, \"max\": §90}}"),
+            "C024",
+            "pins.pin_friction.angle_deg.max",
+            "below 90 degrees, not 90",
+            "{\"angle_deg\": 53}",
+        ),
+        bad(
+            format!("{circle} §\"pins\": {{\"belt_friction\": 1, \"pin_friction\": 0}}}}"),
+            "C054",
+            "pins",
+            "a circle has no edges",
+            "give it as a polygon",
+        ),
+    ] {
+        check(&case);
+    }
+}
+
+#[test]
+fn all_faults_of_a_pins_section_are_reported_with_those_of_the_part() {
+    let text = r#"{"part": {"shape": {"polygon": [[0, 0], [1, 0], [0, 1]]}, "mass": 0},
+ "pins": {"belt_friction": {"static": 1}, "pin_friction": [-1], "pins": 3}, "insert": {}}"#;
+    let expected = [
+        ("C022", "part.mass"),
+        ("C061", "pins.belt_friction.static"),
+        ("C012", "pins.pin_friction"),
+        ("C011", "pins.pins"),
+    ];
+    let seen = |faults: &[Fault]| faults.iter().map(|f| (f.code(), f.path().to_owned())).collect::<Vec<_>>();
+    let expected: Vec<(&str, String)> = expected.map(|(code, path)| (code, path.to_owned())).to_vec();
+    let of_pins = read_for(Section::Pins, text.as_bytes(), &Limits::default()).unwrap_err();
+    assert_eq!(seen(&of_pins), expected);
+    let of_insert = read_for(Section::Insert, text.as_bytes(), &Limits::default()).unwrap_err();
+    assert_eq!(codes(&of_insert), ["C022", "C014"]);
+    assert_eq!(faults(text).len(), 5);
+}
+
+#[test]
 fn bytes_that_are_not_utf8() {
     let text = b"{\n \"name\": \"\xc3\xa4\xff\"}";
     let faults = read(text, &Limits::default()).unwrap_err();
@@ -694,7 +786,7 @@ fn deep_nesting_is_refused_before_anything_recurses() {
         assert!(faults[0].message().contains("more than 64 deep"));
         assert!(render(&faults, "deep.json", text.as_bytes(), false).len() < 1000);
     }
-    let allowed = format!("{{\"pins\": {}{}, \"part\": {{}}}}", "[".repeat(63), "]".repeat(63));
+    let allowed = format!("{{\"throw\": {}{}, \"part\": {{}}}}", "[".repeat(63), "]".repeat(63));
     assert_eq!(codes(&faults(&allowed)), ["C014"]);
 }
 
@@ -775,14 +867,23 @@ fn a_missing_section_shows_the_smallest_one() {
     let example = fault.help_text().unwrap().split_once("is ").unwrap().1.to_string();
     let text = format!("{{\"part\": {{\"shape\": {{\"polygon\": [[0, 0], [1, 0], [0, 1]]}}}}, {example}}}");
     assert_eq!(read(text.as_bytes(), &Limits::default()).unwrap().fixture.unwrap().fixels.len(), 1);
-    assert!(missing_section("pins").help_text().unwrap().contains("belt_friction"));
+}
+
+#[test]
+fn a_missing_pins_section_shows_the_smallest_one() {
+    let fault = missing_section("pins");
+    let example = fault.help_text().unwrap().split_once("is ").unwrap().1.to_string();
+    let text = format!("{{\"part\": {{\"shape\": {{\"polygon\": [[0, 0], [1, 0], [0, 1]]}}}}, {example}}}");
+    let conveyor = read(text.as_bytes(), &Limits::default()).unwrap().conveyor.unwrap();
+    assert_eq!((conveyor.belt_friction.min, conveyor.pin_friction.max), (ratio(1, 2), ratio(1, 10)));
 }
 
 /// A case with every kind of value, to be mutated.
 const VALID: &str = r#"{"name": "x", "length_unit": "cm", "part": {"shape": {"polygon": [[0, 0], [8, 0], [9, 4], [3, 7], ["-1", 3.0e0]]},
  "center_of_mass": {"at": [4, 3], "tolerance": 0.05}, "mass": "1/3", "radius_of_gyration": 1e-3}, "insert": {"fixels": [
  {"at": [2, 0], "friction": 0.2}, {"edge": 3, "s": "1/4", "friction": {"static": 0.3, "kinetic": {"min": 0, "max": 0.2}}},
- {"at": [-1, 3], "normal": [2, -1], "friction": {"angle_deg": {"min": 1, "max": 3}}}]}, "pins": {}}"#;
+ {"at": [-1, 3], "normal": [2, -1], "friction": {"angle_deg": {"min": 1, "max": 3}}}]}, "pins": {"belt_friction": {"min": 1, "max": "4/3"},
+ "pin_friction": {"angle_deg": {"min": 1, "max": 3}}}}"#;
 
 #[test]
 fn the_case_to_be_mutated_is_valid() {
@@ -808,7 +909,7 @@ proptest! {
     }
 
     #[test]
-    fn arbitrary_json_like_text_does_not_panic(text in r#"([\[\]{},: /'"\\\n]|[0-9eE.+-]{1,3}|"(part|shape|polygon|at|insert)"|null|true|NaN|é){0,60}"#) {
+    fn arbitrary_json_like_text_does_not_panic(text in r#"([\[\]{},: /'"\\\n]|[0-9eE.+-]{1,3}|"(part|shape|polygon|at|insert|pins|pin_friction)"|null|true|NaN|é){0,60}"#) {
         survives(text.as_bytes());
     }
 

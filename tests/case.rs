@@ -1,6 +1,6 @@
 //! Good case files: every spelling and default, against numbers computed elsewhere.
 
-use partplan::case::{Case, Limits, read};
+use partplan::case::{Case, Limits, Section, read, read_for};
 use partplan::exact::{Q, Z, parse_literal, ratio};
 use partplan::model::{LengthUnit, Place, Range, Shape};
 use proptest::prelude::*;
@@ -145,7 +145,54 @@ fn units_and_names_are_kept() {
 #[test]
 fn sections_of_other_tasks_are_left_alone() {
     let text = r#"{"pins": {"belt_friction": "NaN"}, "throw": 1, "scene": [], "part": {"shape": {"polygon": [[0, 0], [1, 0], [0, 1]]}}}"#;
-    assert!(case(text).fixture.is_none());
+    assert!(read_for(Section::Insert, text.as_bytes(), &Limits::default()).unwrap().fixture.is_none());
+    assert!(read(text.as_bytes(), &Limits::default()).is_err());
+    let disc = format!(
+        "{{\"part\": {{\"shape\": {DISC}}}, \"insert\": {{\"fixels\": [{{\"at\": [6, 2], \"friction\": 1}}]}}, \"pins\": {{}}}}"
+    );
+    assert!(read_for(Section::Insert, disc.as_bytes(), &Limits::default()).unwrap().fixture.is_some());
+    let pins = r#"{"insert": 3, "part": {"shape": {"polygon": [[0, 0], [1, 0], [0, 1]]}}, "pins": {"belt_friction": 1, "pin_friction": 0}}"#;
+    assert!(read_for(Section::Pins, pins.as_bytes(), &Limits::default()).unwrap().conveyor.is_some());
+}
+
+/// The friction of belt and pin, in any spelling but a static and kinetic pair.
+#[test]
+fn friction_of_pins_is_one_range() {
+    let conveyor = |belt: &str, pin: &str| {
+        let pins = format!("{{\"belt_friction\": {belt}, \"pin_friction\": {pin}}}");
+        let conveyor = case(&format!("{{\"part\": {{\"shape\": {RECTANGLE}}}, \"pins\": {pins}}}")).conveyor.unwrap();
+        [conveyor.belt_friction, conveyor.pin_friction]
+    };
+    assert_eq!(conveyor("\"4/3\"", "0.0875"), [range("4/3", "4/3"), range("7/80", "7/80")]);
+    assert_eq!(conveyor("{\"min\": 1, \"max\": \"4/3\"}", "0"), [range("1", "4/3"), range("0", "0")]);
+    let [belt, pin] = conveyor("{\"angle_deg\": {\"min\": 51, \"max\": 55}}", "{\"angle_deg\": 45}");
+    // tan 51 = 1.2348971565350513985..., tan 55 = 1.4281480067421145021...
+    assert!(belt.min <= q("1.2348971565350514") && belt.max >= q("1.4281480067421145"));
+    assert!(belt.min > q("1.23489715653") && belt.max < q("1.42814800675"));
+    assert_eq!(pin, range("1", "1"));
+    // as the friction of a fixel is read
+    assert_eq!([belt.clone(), belt], friction("{\"angle_deg\": {\"min\": 51, \"max\": 55}}"));
+}
+
+#[test]
+fn the_public_conveyors_read_to_their_published_numbers() {
+    let mut n_cases = 0;
+    for entry in std::fs::read_dir("tests/topple").unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_string();
+        if !name.ends_with(".json") || name.ends_with(".expected.json") {
+            continue;
+        }
+        let expected = std::fs::read(path.with_extension("expected.json")).unwrap();
+        let expected: Value = serde_json::from_slice(&expected).unwrap();
+        let case = read(&std::fs::read(&path).unwrap(), &Limits::default()).unwrap();
+        let conveyor = case.conveyor.unwrap();
+        assert_eq!(case.part.center_of_mass, vector(&expected["center_of_mass"]), "{name}");
+        assert_eq!(conveyor.belt_friction, Range::exactly(rational(&expected["belt_friction"])), "{name}");
+        assert_eq!(conveyor.pin_friction, Range::exactly(rational(&expected["pin_friction"])), "{name}");
+        n_cases += 1;
+    }
+    assert_eq!(n_cases, 15);
 }
 
 #[test]

@@ -248,6 +248,15 @@ pub struct Decisions {
     pub exact: u64,
 }
 
+impl PinPlan {
+    /// Whether it is known if there is a sequence: there is one, or more pins would be needed than are allowed, or none
+    /// exists.
+    #[must_use]
+    pub fn is_decided(&self) -> bool {
+        self.sequence.is_some() || self.needs.is_some() || self.obstacle.is_some()
+    }
+}
+
 impl Orientation {
     /// What a pin does at `height`, above zero, and whether that is exactly a critical height.
     ///

@@ -12,22 +12,23 @@ use num_traits::Signed as _;
 
 pub(super) const FRICTION_HELP: &str =
     r#"write 0.2, {"static": 0.3, "kinetic": 0.2}, {"min": 0.1, "max": 0.3} or {"angle_deg": 15}"#;
+pub(super) const SINGLE_HELP: &str = r#"write 0.2, {"min": 0.1, "max": 0.3} or {"angle_deg": 15}"#;
 const RANGE_HELP: &str = r#"write 0.2 or {"min": 0.1, "max": 0.3}"#;
 const ANGLE_HELP: &str = r#"write {"angle_deg": 53} or {"angle_deg": {"min": 51, "max": 55}}"#;
+
+/// Friction as it is written.
+enum Spelling<'v> {
+    Number(Q),
+    Keys(Fields<'v>),
+}
 
 impl Reader {
     /// Friction in any of its forms.
     pub fn friction(&mut self, value: &Value, path: &Path) -> Option<Friction> {
-        if matches!(value, Value::NumberLit(_) | Value::StringLit(_)) {
-            let coefficient = Range::exactly(self.coefficient(value, path)?);
-            return Some(both(coefficient));
-        }
-        if !matches!(value, Value::Object(_)) {
-            self.wrong_type("a number or an object", value, path, FRICTION_HELP);
-            return None;
-        }
-        let fields = self.fields(value, path, &["static", "kinetic", "min", "max", "angle_deg"], FRICTION_HELP)?;
-        let has = |key: &str| fields.get(key).is_some();
+        let fields = match self.spelling(value, path, FRICTION_HELP)? {
+            Spelling::Number(coefficient) => return Some(both(Range::exactly(coefficient))),
+            Spelling::Keys(fields) => fields,
+        };
         for (present, other) in [("min", "static"), ("max", "static"), ("min", "kinetic"), ("max", "kinetic")] {
             if self.exclude(&fields, [present, other], path, FRICTION_HELP) {
                 return None;
@@ -38,11 +39,8 @@ impl Reader {
                 return None;
             }
         }
-        if let Some(angle) = fields.get("angle_deg") {
-            return self.angle(angle, &path.key("angle_deg")).map(both);
-        }
-        if has("min") || has("max") {
-            return self.min_max(&fields, path, FRICTION_HELP, Self::coefficient).map(both);
+        if ["angle_deg", "min", "max"].iter().any(|key| fields.get(key).is_some()) {
+            return self.keyed_range(&fields, path, FRICTION_HELP).map(both);
         }
         let static_value = self.require(&fields, "static", path, FRICTION_HELP);
         let static_ = static_value.and_then(|value| self.range(value, &path.key("static")));
@@ -63,13 +61,58 @@ impl Reader {
         None
     }
 
+    /// Friction in any form but a pair of a static and a kinetic coefficient: for contacts that may slide at any time.
+    pub fn single_friction(&mut self, value: &Value, path: &Path) -> Option<Range> {
+        let fields = match self.spelling(value, path, SINGLE_HELP)? {
+            Spelling::Number(coefficient) => return Some(Range::exactly(coefficient)),
+            Spelling::Keys(fields) => fields,
+        };
+        if let Some(key) = ["static", "kinetic"].into_iter().find(|key| fields.get(key).is_some()) {
+            let help = r#"write one coefficient like 0.2, or {"min": 0.2, "max": 0.3} to cover both"#;
+            self.fault(FaultKind::FrictionPair { key }, fields.key_span(key), &path.key(key), help);
+            return None;
+        }
+        for other in ["min", "max"] {
+            if self.exclude(&fields, ["angle_deg", other], path, SINGLE_HELP) {
+                return None;
+            }
+        }
+        self.keyed_range(&fields, path, SINGLE_HELP)
+    }
+
+    fn spelling<'v>(&mut self, value: &'v Value<'v>, path: &Path, help: &str) -> Option<Spelling<'v>> {
+        match value {
+            Value::NumberLit(_) | Value::StringLit(_) => self.coefficient(value, path, help).map(Spelling::Number),
+            Value::Object(_) => {
+                let known = ["static", "kinetic", "min", "max", "angle_deg"];
+                self.fields(value, path, &known, help).map(Spelling::Keys)
+            }
+            _ => {
+                self.wrong_type("a number or an object", value, path, help);
+                None
+            }
+        }
+    }
+
+    /// The range of `angle_deg`, or of `min` and `max`.
+    fn keyed_range(&mut self, fields: &Fields, path: &Path, help: &str) -> Option<Range> {
+        match fields.get("angle_deg") {
+            Some(angle) => self.angle(angle, &path.key("angle_deg")),
+            None => self.min_max(fields, path, help, |reader, value, path| reader.coefficient(value, path, help)),
+        }
+    }
+
     fn range(&mut self, value: &Value, path: &Path) -> Option<Range> {
         match value {
             Value::Object(_) => {
                 let fields = self.fields(value, path, &["min", "max"], RANGE_HELP)?;
-                self.min_max(&fields, path, RANGE_HELP, Self::coefficient)
+                let coefficient =
+                    |reader: &mut Self, value: &Value, path: &Path| reader.coefficient(value, path, FRICTION_HELP);
+                self.min_max(&fields, path, RANGE_HELP, coefficient)
             }
-            Value::NumberLit(_) | Value::StringLit(_) => self.coefficient(value, path).map(Range::exactly),
+            Value::NumberLit(_) | Value::StringLit(_) => {
+                self.coefficient(value, path, FRICTION_HELP).map(Range::exactly)
+            }
             _ => {
                 self.wrong_type("a number or an object", value, path, RANGE_HELP);
                 None
@@ -115,11 +158,11 @@ impl Reader {
         Some(range)
     }
 
-    fn coefficient(&mut self, value: &Value, path: &Path) -> Option<Q> {
+    fn coefficient(&mut self, value: &Value, path: &Path, help: &str) -> Option<Q> {
         let number = self.number(value, path)?;
         if number.is_negative() {
             let kind = FaultKind::Negative { name: "a friction coefficient", value: show::number(&number) };
-            self.fault(kind, span_of(value), path, FRICTION_HELP);
+            self.fault(kind, span_of(value), path, help);
             return None;
         }
         Some(number)

@@ -233,6 +233,12 @@ pub enum FaultKind {
         /// Static coefficient, possibly shortened.
         static_: String,
     },
+    /// A static or kinetic coefficient where there is only one.
+    #[error("friction here is one coefficient or range, without `{key}`")]
+    FrictionPair {
+        /// `static` or `kinetic`.
+        key: &'static str,
+    },
 }
 
 impl FaultKind {
@@ -273,6 +279,7 @@ impl FaultKind {
             Self::NormalOutsideCone { .. } => "C057",
             Self::NormalNotInward { .. } => "C058",
             Self::KineticAboveStatic { .. } => "C060",
+            Self::FrictionPair { .. } => "C061",
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Case files: JSON text read exactly, every fault reported at once.
 
+mod conveyor;
 mod fault;
 mod fixels;
 mod friction;
@@ -15,7 +16,7 @@ pub use fault::{Fault, Related};
 pub use kind::{FaultKind, SyntaxFault};
 pub use render::render;
 
-use crate::model::{Fixture, LengthUnit, Part};
+use crate::model::{Conveyor, Fixture, LengthUnit, Part};
 use jsonc_parser::ast::Value;
 use reader::{Path, Reader, span_of};
 use show::clipped;
@@ -23,6 +24,32 @@ use text::SMALLEST_CASE;
 
 /// The smallest `insert` section.
 const SMALLEST_INSERT: &str = r#""insert": {"fixels": [{"at": [0.5, 0], "friction": 0.2}]}"#;
+
+/// The smallest `pins` section.
+const SMALLEST_PINS: &str = r#""pins": {"belt_friction": 0.5, "pin_friction": 0.1}"#;
+
+/// A section of a case that says what a task needs besides the part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Section {
+    /// Fixels: `insert`.
+    Insert,
+    /// Conveyor and pins: `pins`.
+    Pins,
+}
+
+impl Section {
+    /// Every section that is read.
+    pub const ALL: [Self; 2] = [Self::Insert, Self::Pins];
+
+    /// Its key in a case.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Insert => "insert",
+            Self::Pins => "pins",
+        }
+    }
+}
 
 /// What a case file says.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,6 +60,8 @@ pub struct Case {
     pub part: Part,
     /// The `insert` section, if present.
     pub fixture: Option<Fixture>,
+    /// The `pins` section, if present.
+    pub conveyor: Option<Conveyor>,
     /// Things worth knowing that are not errors: points moved onto the outline, an inertia taken about another point.
     pub warnings: Vec<String>,
 }
@@ -54,7 +83,7 @@ impl Default for Limits {
     }
 }
 
-/// Reads a case file.
+/// Reads a case file, every section of it.
 ///
 /// # Errors
 /// Every fault of the file at once, by position; a text that is not JSON has one.
@@ -68,10 +97,22 @@ impl Default for Limits {
 /// assert_eq!(faults.iter().map(|fault| fault.code()).collect::<Vec<_>>(), ["C014", "C011"]);
 /// ```
 pub fn read(bytes: &[u8], limits: &Limits) -> Result<Case, Vec<Fault>> {
+    read_sections(bytes, &Section::ALL, limits)
+}
+
+/// Reads a case file for one task: the part and `section`, whatever the sections of other tasks hold.
+///
+/// # Errors
+/// As [`read`]; a section that is not there is no fault, see [`missing_section`].
+pub fn read_for(section: Section, bytes: &[u8], limits: &Limits) -> Result<Case, Vec<Fault>> {
+    read_sections(bytes, &[section], limits)
+}
+
+fn read_sections(bytes: &[u8], sections: &[Section], limits: &Limits) -> Result<Case, Vec<Fault>> {
     let text = text::decode(bytes, limits.bytes).map_err(|fault| vec![fault])?;
     let tree = text::parse(text).map_err(|fault| vec![fault])?;
     let mut reader = Reader::default();
-    match reader.case(&tree, limits) {
+    match reader.case(&tree, sections, limits) {
         Some(case) if !reader.has_faults() => Ok(Case { warnings: reader.warnings, ..case }),
         _ => Err(reader.into_faults()),
     }
@@ -83,7 +124,7 @@ pub fn missing_section(section: &'static str) -> Fault {
     let example = match section {
         "part" => SMALLEST_CASE,
         "insert" => SMALLEST_INSERT,
-        "pins" => r#""pins": {"belt_friction": 0.5, "pin_friction": 0.1}"#,
+        "pins" => SMALLEST_PINS,
         "throw" => r#""throw": {"offset": 0, "release_deg_per_s": 320}"#,
         _ => "",
     };
@@ -92,7 +133,7 @@ pub fn missing_section(section: &'static str) -> Fault {
 }
 
 impl Reader {
-    fn case(&mut self, tree: &Value, limits: &Limits) -> Option<Case> {
+    fn case(&mut self, tree: &Value, sections: &[Section], limits: &Limits) -> Option<Case> {
         let known = ["name", "length_unit", "part", "insert", "pins", "throw", "scene"];
         let path = Path::document();
         let fields = self.fields(tree, &path, &known, SMALLEST_CASE)?;
@@ -108,13 +149,17 @@ impl Reader {
                 (None, None)
             }
         };
+        let section = |section: Section| fields.get(section.key()).filter(|_| sections.contains(&section));
         let fixture =
-            fields.get("insert").map(|value| self.fixture(value, &path.key("insert"), shape.as_ref(), limits));
+            section(Section::Insert).map(|value| self.fixture(value, &path.key("insert"), shape.as_ref(), limits));
+        let conveyor = section(Section::Pins)
+            .map(|value| self.conveyor(value, fields.key_span("pins"), &path.key("pins"), shape.as_ref()));
         unit?;
         Some(Case {
             name: name.flatten().map(String::from),
             part: part?,
             fixture: fixture.flatten(),
+            conveyor: conveyor.flatten(),
             warnings: Vec::new(),
         })
     }

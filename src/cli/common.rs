@@ -20,24 +20,12 @@ pub struct Common {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 
-    /// Judge this wrench, torque about the center of mass; may be repeated
-    #[arg(long = "wrench", value_name = "FX,FY,TORQUE", value_parser = wrench, allow_hyphen_values = true)]
-    pub wrenches: Vec<[Q; 3]>,
-
-    /// Let the letter s of --mode mean that the contact accelerates apart (a_n > 0, not a_n >= 0)
-    #[arg(long)]
-    pub strict_s: bool,
-
     /// Color of the messages
     #[arg(long, value_enum, default_value_t = When::Auto, value_name = "WHEN")]
     pub color: When,
 
     #[command(flatten)]
     pub limits: Limits,
-
-    /// Largest number of fixels accepted
-    #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().fixels)]
-    pub max_fixels: usize,
 
     /// Largest number of vertices accepted
     #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().vertices)]
@@ -46,6 +34,25 @@ pub struct Common {
     /// Largest case accepted, in bytes
     #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().bytes)]
     pub max_bytes: usize,
+}
+
+/// What the commands on fixtures share besides.
+#[derive(Debug, clap::Args)]
+pub struct Fixtured {
+    #[command(flatten)]
+    pub common: Common,
+
+    /// Judge this wrench, torque about the center of mass; may be repeated
+    #[arg(long = "wrench", value_name = "FX,FY,TORQUE", value_parser = wrench, allow_hyphen_values = true)]
+    pub wrenches: Vec<[Q; 3]>,
+
+    /// Let the letter s of --mode mean that the contact accelerates apart (a_n > 0, not a_n >= 0)
+    #[arg(long)]
+    pub strict_s: bool,
+
+    /// Largest number of fixels accepted
+    #[arg(long, value_name = "N", default_value_t = partplan::case::Limits::default().fixels)]
+    pub max_fixels: usize,
 }
 
 /// What a report on sets of wrenches shows besides.
@@ -65,6 +72,13 @@ pub struct Shown {
 }
 
 impl Common {
+    /// Bounds on the case.
+    pub fn case_limits(&self) -> partplan::case::Limits {
+        partplan::case::Limits { bytes: self.max_bytes, vertices: self.max_vertices, ..Default::default() }
+    }
+}
+
+impl Fixtured {
     /// What to ask the planner, together with the modes of the command.
     pub fn question(&self, modes: &[Mode]) -> Question {
         Question {
@@ -78,7 +92,7 @@ impl Common {
 
     /// Bounds on the case.
     pub fn case_limits(&self) -> partplan::case::Limits {
-        partplan::case::Limits { bytes: self.max_bytes, vertices: self.max_vertices, fixels: self.max_fixels }
+        partplan::case::Limits { fixels: self.max_fixels, ..self.common.case_limits() }
     }
 }
 

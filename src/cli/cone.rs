@@ -1,6 +1,6 @@
 //! `plan cone`: the wrenches consistent with a contact mode.
 
-use super::common::Common;
+use super::common::Fixtured;
 use super::{Failure, Outcome, input, limit, output};
 use partplan::answer::{Cone, WrenchVerdict};
 use partplan::mechanics::{Mode, ModeError};
@@ -14,7 +14,7 @@ use std::io::Write;
 #[command(after_help = "Example: plan cone cases/peg_in_hole.json --mode lra --mode nnu")]
 pub struct Args {
     #[command(flatten)]
-    common: Common,
+    fixtured: Fixtured,
 
     /// Contact mode, one letter of s a u l r n m per fixel; may be repeated
     #[arg(long = "mode", value_name = "LETTERS", required = true)]
@@ -23,15 +23,15 @@ pub struct Args {
 
 /// Computes mode cones.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let task = input::task(&args.common)?;
+    let task = input::fixtured(&args.fixtured)?;
     let subject = task.subject();
-    let Some((modes, wrenches)) = limit::plan(&task, &args.common, &args.modes, judged, report::json::CONE, out)?
+    let Some((modes, wrenches)) = limit::plan(&task, &args.fixtured, &args.modes, judged, report::json::CONE, out)?
     else {
         return Ok(limit::OVER);
     };
     output::answer(
         out,
-        args.common.format,
+        args.fixtured.common.format,
         || report::text::judged_cones(&subject, &modes, &wrenches),
         || report::json::judged_cones(&subject, &modes, &wrenches),
     )?;

@@ -2,7 +2,7 @@
 
 use partplan::cone::format::FormatError;
 use partplan::mechanics::ModeError;
-use partplan::planner::SuggestError;
+use partplan::planner::{PinsError, SuggestError};
 use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -36,6 +36,9 @@ pub enum Failure {
     /// Places for the fixels cannot be proposed.
     #[error("error: {0}")]
     Suggest(#[from] SuggestError),
+    /// Pins cannot be planned.
+    #[error("error: {0}")]
+    Pins(#[from] PinsError),
     /// A polyhedron file is wrong.
     #[error("error: {path}:{fault}")]
     Polyhedron { path: String, fault: FormatError },

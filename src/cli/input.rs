@@ -1,42 +1,71 @@
 //! Reading case files, never more than asked for.
 
-use super::common::Common;
+use super::common::{Common, Fixtured};
 use super::{Failure, output};
-use partplan::case::{self, Case};
-use partplan::model::Fixture;
-use partplan::report::Subject;
+use partplan::case::{self, Case, Section};
+use partplan::model::{Conveyor, Fixture};
+use partplan::report::{Ride, Subject};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// A case that has the section its command needs.
-pub struct Task {
+/// A case and the section that its command needs.
+pub struct Task<S> {
     name: String,
     /// The case.
     pub case: Case,
-    /// Its `insert` section.
-    pub fixture: Fixture,
+    /// Its section.
+    pub section: S,
 }
 
-impl Task {
+impl Task<Fixture> {
     /// What the report is about.
     pub fn subject(&self) -> Subject<'_> {
-        Subject { name: &self.name, part: &self.case.part, fixture: &self.fixture, warnings: &self.case.warnings }
+        Subject { name: &self.name, part: &self.case.part, fixture: &self.section, warnings: &self.case.warnings }
     }
 }
 
-/// Reads the case, says its warnings on standard error, and looks for its `insert` section.
-pub fn task(common: &Common) -> Result<Task, Failure> {
+impl Task<Conveyor> {
+    /// What the report is about; the answer is asked to end on this edge, and with so many pins at most.
+    pub fn ride(&self, end: Option<usize>, max_pins: Option<usize>) -> Ride<'_> {
+        Ride {
+            name: &self.name,
+            part: &self.case.part,
+            conveyor: &self.section,
+            warnings: &self.case.warnings,
+            end,
+            max_pins,
+        }
+    }
+}
+
+/// Reads a case with an `insert` section.
+pub fn fixtured(args: &Fixtured) -> Result<Task<Fixture>, Failure> {
+    task(&args.common, &args.case_limits(), Section::Insert, |case| case.fixture.take())
+}
+
+/// Reads a case with a `pins` section.
+pub fn conveyed(common: &Common) -> Result<Task<Conveyor>, Failure> {
+    task(common, &common.case_limits(), Section::Pins, |case| case.conveyor.take())
+}
+
+/// Reads the case, says its warnings on standard error, and looks for its section.
+fn task<S>(
+    common: &Common,
+    limits: &case::Limits,
+    section: Section,
+    take: impl FnOnce(&mut Case) -> Option<S>,
+) -> Result<Task<S>, Failure> {
     let shown = if common.case == "-" { "standard input" } else { &common.case };
     let bytes = bytes(&common.case, common.max_bytes, "part.json")?;
     let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
-    let mut case = case::read(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
-    let fixture = case.fixture.take().ok_or_else(|| refuse(&[case::missing_section("insert")]))?;
+    let mut case = case::read_for(section, &bytes, limits).map_err(|faults| refuse(&faults))?;
+    let section = take(&mut case).ok_or_else(|| refuse(&[case::missing_section(section.key())]))?;
     for warning in &case.warnings {
         output::complain(&format!("warning: {shown}: {warning}"));
     }
     let name = case.name.clone().unwrap_or_else(|| stem(&common.case));
-    Ok(Task { name, case, fixture })
+    Ok(Task { name, case, section })
 }
 
 /// One byte more than the limit is enough to know that there are too many.

@@ -1,6 +1,6 @@
 //! `plan insert`: which pushes and tilts are guaranteed to seat the part.
 
-use super::common::{Common, Shown};
+use super::common::{Fixtured, Shown};
 use super::{Failure, Outcome, input, limit, output, suggest};
 use partplan::{planner, report};
 use std::io::Write;
@@ -13,7 +13,7 @@ use std::io::Write;
 #[command(after_help = "Example: plan insert cases/pawl.json --wrench=-1,0,0")]
 pub struct Args {
     #[command(flatten)]
-    common: Common,
+    fixtured: Fixtured,
 
     #[command(flatten)]
     shown: Shown,
@@ -33,13 +33,13 @@ pub struct Args {
 /// Plans an insertion.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let _ = args.no_verify;
-    let task = input::task(&args.common)?;
+    let task = input::fixtured(&args.fixtured)?;
     if let Some(count) = args.suggest {
-        return suggest::run(&task, &args.common, count.into(), args.shown.svg.as_deref(), out);
+        return suggest::run(&task, &args.fixtured.common, count.into(), args.shown.svg.as_deref(), out);
     }
     let subject = task.subject();
     let Some(found) =
-        limit::plan(&task, &args.common, &args.shown.modes, planner::insertion, report::json::INSERT, out)?
+        limit::plan(&task, &args.fixtured, &args.shown.modes, planner::insertion, report::json::INSERT, out)?
     else {
         return Ok(limit::OVER);
     };
@@ -48,7 +48,7 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     }
     output::answer(
         out,
-        args.common.format,
+        args.fixtured.common.format,
         || report::text::insertion(&subject, &found),
         || report::json::insertion(&subject, &found, args.shown.cells),
     )?;

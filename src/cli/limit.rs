@@ -1,6 +1,6 @@
 //! Planning within limits of time and memory.
 
-use super::common::Common;
+use super::common::Fixtured;
 use super::input::Task;
 use super::output::Format;
 use super::{Failure, Outcome, output};
@@ -37,19 +37,19 @@ type Planner<A> = fn(&Part, &Fixture, &Question) -> Result<A, ModeError>;
 
 /// Runs `planner` on the task within the limits; `None` when one is reached, which is then said.
 pub fn plan<A: Send + 'static>(
-    task: &Task,
-    common: &Common,
+    task: &Task<Fixture>,
+    args: &Fixtured,
     modes: &[Mode],
     planner: Planner<A>,
     schema: &str,
     out: &mut dyn Write,
 ) -> Result<Option<A>, Failure> {
-    let (part, fixture, question) = (task.case.part.clone(), task.fixture.clone(), common.question(modes));
-    match common.limits.within(move || planner(&part, &fixture, &question)) {
+    let (part, fixture, question) = (task.case.part.clone(), task.section.clone(), args.question(modes));
+    match args.common.limits.within(move || planner(&part, &fixture, &question)) {
         Ok(answer) => Ok(Some(answer?)),
         Err(reached) => {
             let document = || json::undecided(&task.subject(), schema, reached);
-            common.limits.say_reached(reached, common.format, document, out)?;
+            args.common.limits.say_reached(reached, args.common.format, document, out)?;
             Ok(None)
         }
     }

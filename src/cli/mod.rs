@@ -8,6 +8,7 @@ mod input;
 mod insert;
 mod limit;
 mod output;
+mod pins;
 mod progress;
 mod stable;
 mod suggest;
@@ -36,6 +37,7 @@ enum Command {
     Insert(insert::Args),
     Stable(stable::Args),
     Cone(cone::Args),
+    Pins(pins::Args),
     Convert(convert::Args),
 }
 
@@ -49,6 +51,7 @@ impl Cli {
             Command::Insert(args) => insert::run(args, out),
             Command::Stable(args) => stable::run(args, out),
             Command::Cone(args) => cone::run(args, out),
+            Command::Pins(args) => pins::run(args, out),
             Command::Convert(args) => convert::run(args, out),
         }
     }

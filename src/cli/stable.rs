@@ -1,6 +1,6 @@
 //! `plan stable`: under which wrenches the seated part stays at rest.
 
-use super::common::{Common, Shown};
+use super::common::{Fixtured, Shown};
 use super::{Failure, Outcome, input, limit, output};
 use partplan::{planner, report};
 use std::io::Write;
@@ -10,7 +10,7 @@ use std::io::Write;
 #[command(after_help = "Example: plan stable cases/force_closure.json")]
 pub struct Args {
     #[command(flatten)]
-    common: Common,
+    fixtured: Fixtured,
 
     #[command(flatten)]
     shown: Shown,
@@ -18,10 +18,10 @@ pub struct Args {
 
 /// Reports on stability.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let task = input::task(&args.common)?;
+    let task = input::fixtured(&args.fixtured)?;
     let subject = task.subject();
     let Some(found) =
-        limit::plan(&task, &args.common, &args.shown.modes, planner::stability, report::json::STABLE, out)?
+        limit::plan(&task, &args.fixtured, &args.shown.modes, planner::stability, report::json::STABLE, out)?
     else {
         return Ok(limit::OVER);
     };
@@ -30,7 +30,7 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     }
     output::answer(
         out,
-        args.common.format,
+        args.fixtured.common.format,
         || report::text::stability(&subject, &found),
         || report::json::stability(&subject, &found, args.shown.cells),
     )?;

@@ -5,6 +5,7 @@ use super::input::Task;
 use super::progress::Bar;
 use super::{Failure, Outcome, output};
 use partplan::answer::Suggestion;
+use partplan::model::Fixture;
 use partplan::{planner, report};
 use std::io::Write;
 use std::path::Path;
@@ -12,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Proposes `count` places for the fixels of the task; what is found when a limit is reached is still an answer.
 pub fn run(
-    task: &Task,
+    task: &Task<Fixture>,
     common: &Common,
     count: usize,
     svg: Option<&Path>,
@@ -21,7 +22,7 @@ pub fn run(
     let subject = task.subject();
     let (bar, latest) = (Bar::new(), Arc::new(Mutex::new(Suggestion::default())));
     let found = common.limits.within({
-        let (part, fixture) = (task.case.part.clone(), task.fixture.clone());
+        let (part, fixture) = (task.case.part.clone(), task.section.clone());
         let (bar, latest) = (bar.clone(), Arc::clone(&latest));
         move || {
             planner::suggest(&part, &fixture, count, &mut |progress| {

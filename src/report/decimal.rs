@@ -152,13 +152,13 @@ pub(super) fn brief(value: &Q) -> String {
 
 /// A power of ten whose multiples are shown.
 #[derive(Clone, Copy)]
-struct Step {
+pub(super) struct Step {
     exponent: i32,
 }
 
 impl Step {
     /// The largest step that is at most a hundredth of `width`; `None` where doubles cannot tell.
-    fn hundredth_of(width: f64) -> Option<Self> {
+    pub(super) fn hundredth_of(width: f64) -> Option<Self> {
         (width > 1e-290 && width.is_finite()).then(|| Self { exponent: width.log10().floor() as i32 - 2 })
     }
 
@@ -166,7 +166,7 @@ impl Step {
         Self { exponent: self.exponent.min(exponent) }
     }
 
-    fn size(self) -> Q {
+    pub(super) fn size(self) -> Q {
         let power = Q::from(Z::from(10).pow(self.exponent.unsigned_abs()));
         if self.exponent < 0 { power.recip() } else { power }
     }
@@ -199,7 +199,7 @@ impl Step {
         Z::from(steps as i64)
     }
 
-    fn show(self, multiple: &Z) -> String {
+    pub(super) fn show(self, multiple: &Z) -> String {
         let Ok(places) = usize::try_from(-self.exponent) else {
             return (multiple * Z::from(10).pow(self.exponent.unsigned_abs())).to_string();
         };

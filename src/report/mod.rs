@@ -5,9 +5,11 @@ pub mod svg;
 pub mod text;
 
 mod decimal;
+mod height;
 mod phrase;
 
-use crate::model::{Conveyor, Fixture, Part};
+use crate::model::{Conveyor, Fixture, Part, Range};
+use num_traits::Zero as _;
 
 /// What an answer is about.
 #[derive(Debug, Clone, Copy)]
@@ -37,4 +39,13 @@ pub struct Ride<'a> {
     pub end: Option<usize>,
     /// How many pins were allowed.
     pub max_pins: Option<usize>,
+}
+
+impl Ride<'_> {
+    /// Whether friction or center of mass are ranges.
+    fn is_uncertain(&self) -> bool {
+        let Conveyor { belt_friction, pin_friction } = self.conveyor;
+        let is_range = |range: &Range| range.min != range.max;
+        is_range(belt_friction) || is_range(pin_friction) || !self.part.center_of_mass_tolerance.is_zero()
+    }
 }

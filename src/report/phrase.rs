@@ -1,9 +1,9 @@
 //! Plain words for places, directions and verdicts.
 
-use super::Subject;
 use super::decimal::{self, Span, brief, near};
+use super::{Ride, Subject};
 use crate::answer::{
-    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Proposal, Stability, Suggestion,
+    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Stability, Suggestion,
 };
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
@@ -69,16 +69,6 @@ pub(super) fn proposal(proposal: &Proposal) -> String {
     format!("{fixels} and {action}: margin at least {} %", decimal::percent_at_least(&proposal.plan.margin2))
 }
 
-/// The answer of `plan pins` in one line.
-pub(super) fn pins(_ride: &super::Ride, answer: &crate::answer::Pins) -> String {
-    let end: Vec<String> = answer.plan.end.iter().map(usize::to_string).collect();
-    match (answer.plan.sequence.as_deref(), answer.plan.limit) {
-        (Some(pins), _) => format!("{} pins turn the part onto edge {}", pins.len(), joined(&end, "or")),
-        (None, None) => "no sequence of pins turns all orientations of the part into one".to_owned(),
-        (None, Some(limit)) => format!("the {} limit ended the search", limit.name()),
-    }
-}
-
 /// The answer of `plan stable` in one line.
 pub(super) fn stability(answer: &Stability) -> String {
     let strong = &answer.strong;
@@ -98,6 +88,43 @@ pub(super) fn stability(answer: &Stability) -> String {
         format!("it is certain to rest under {} % of all wrenches", decimal::percent(&strong.volume_in_box))
     };
     format!("{closure}; {strong}")
+}
+
+/// The answer of `plan pins` in one line.
+pub(super) fn pins(ride: &Ride, answer: &Pins) -> String {
+    let plan = &answer.plan;
+    let all = match answer.symmetry.classes.len() {
+        1 => "the one orientation".to_owned(),
+        2 => "both orientations".to_owned(),
+        count => format!("all {count} orientations"),
+    };
+    let goal = ride.end.map_or_else(|| "one".to_owned(), |edge| format!("edge {edge} down"));
+    let turn = if ride.is_uncertain() { "are certain to turn" } else { "turn" };
+    if let Some(pins) = &plan.sequence {
+        return match (pins.len(), answer.stable.as_slice()) {
+            (0, [only]) => format!("no pins are needed: the part rests on edge {only} only"),
+            (0, stable) => {
+                format!("no pins are needed: the part looks the same on each of its {} edges", stable.len())
+            }
+            (n, _) => {
+                let end: Vec<String> = plan.end.iter().map(usize::to_string).collect();
+                let alike = if end.len() > 1 { ", which look the same" } else { "" };
+                let turn = if n == 1 { "turns" } else { "turn" };
+                format!("{} {turn} {all} into edge {} down{alike}", count(n, "pin"), joined(&end, "or"))
+            }
+        };
+    }
+    match (plan.needs, &plan.obstacle, plan.limit) {
+        (Some(least), ..) => {
+            let most = ride.max_pins.map_or_else(String::new, |most| format!(", more than the {most} allowed"));
+            format!("it takes {} to turn {all} into {goal}{most}", count(least, "pin"))
+        }
+        (None, Some(_), _) => format!("it is proved that no pins {turn} {all} into {goal}"),
+        (None, None, Some(limit)) => {
+            format!("undecided: the {} limit ended the search for pins that turn {all} into {goal}", limit.name())
+        }
+        (None, None, None) => format!("undecided: whether pins turn {all} into {goal} was not found out"),
+    }
 }
 
 /// Why no wrench is guaranteed to seat the part.
@@ -212,4 +239,19 @@ pub(super) fn joined(words: &[String], conjunction: &str) -> String {
         [only] => only.clone(),
         [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
     }
+}
+
+/// Numbers as [`joined`] by "and", all of them up to `most`, else the first and how many there are more.
+pub(super) fn numbered(numbers: &[usize], most: usize) -> String {
+    let shown = if numbers.len() > most { most - 1 } else { numbers.len() };
+    let mut names: Vec<String> = numbers[..shown].iter().map(usize::to_string).collect();
+    if shown < numbers.len() {
+        names.push(format!("{} more", numbers.len() - shown));
+    }
+    joined(&names, "and")
+}
+
+/// `1 pin`, `2 pins`.
+pub(super) fn count(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }

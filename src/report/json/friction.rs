@@ -1,6 +1,6 @@
 //! Critical friction in JSON.
 
-use super::number::{integers, rational};
+use super::number::root;
 use crate::answer::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 use crate::exact::{Q, Z};
 use serde_json::{Value, json};
@@ -38,15 +38,9 @@ fn limit(limit: &FrictionLimit) -> Value {
 }
 
 fn factor(end: &CriticalFactor) -> Value {
-    let [lower, upper] = end.factor.enclosure(&Q::new(Z::from(WIDTH.0), Z::from(WIDTH.1)));
-    let mut value = json!({
-        "kind": "finite",
-        "value": end.factor.to_f64(),
-        "lower": rational(&lower),
-        "upper": rational(&upper),
-        "polynomial": integers(end.factor.polynomial().coefficients()),
-        "attained": end.is_attained,
-    });
+    let mut value = root(&end.factor, &Q::new(Z::from(WIDTH.0), Z::from(WIDTH.1)));
+    value["kind"] = json!("finite");
+    value["attained"] = json!(end.is_attained);
     if let Some(end) = end.end {
         value["end"] = json!(match end {
             End::Shrinks => "shrinks",

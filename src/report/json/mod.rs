@@ -3,18 +3,21 @@
 mod friction;
 mod layout;
 mod number;
+mod pins;
 mod polyhedron;
 mod sets;
 mod suggest;
 mod witness;
 
 pub use layout::document;
+pub use pins::{PINS, pins, undecided_pins};
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 pub use suggest::{SUGGEST, suggestion};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};
 use crate::exact::to_f64;
+use crate::model::Part;
 use number::{integers, rational, rationals};
 use serde_json::{Map, Value, json};
 
@@ -113,12 +116,16 @@ pub fn undecided(subject: &Subject, schema: &str, reached: Limit) -> Value {
 }
 
 fn envelope(subject: &Subject, schema: &str, status: &str, result: Map<String, Value>) -> Value {
+    envelope_of(subject.name, subject.part, schema, status, result)
+}
+
+fn envelope_of(name: &str, part: &Part, schema: &str, status: &str, result: Map<String, Value>) -> Value {
     json!({
         "schema": schema,
         "version": env!("CARGO_PKG_VERSION"),
-        "case": subject.name,
+        "case": name,
         "status": status,
-        "units": { "length": subject.part.unit.symbol() },
+        "units": { "length": part.unit.symbol() },
         "result": result,
     })
 }

@@ -1,8 +1,9 @@
 //! Exact numbers in JSON: an integer below 2^53, else a string.
 
-use crate::exact::{Q, Z};
-use num_traits::ToPrimitive as _;
-use serde_json::Value;
+use crate::exact::{Algebraic, Q, Z, from_float_exact};
+use crate::model::Range;
+use num_traits::{Signed as _, ToPrimitive as _};
+use serde_json::{Value, json};
 
 /// From here on not every integer is a double, so readers of JSON may round.
 const FIRST_UNSAFE: u64 = 1 << 53;
@@ -20,6 +21,40 @@ pub(super) fn rational(value: &Q) -> Value {
     if value.is_integer() { integer(value.numer()) } else { value.to_string().into() }
 }
 
+/// A range: its value if it holds one only, else its ends.
+pub(super) fn range(range: &Range) -> Value {
+    if range.min == range.max {
+        return rational(&range.min);
+    }
+    json!({ "min": rational(&range.min), "max": rational(&range.max) })
+}
+
+/// A real algebraic number: as [`rational`] if it is one, else as [`root`] with bounds that are less than `1e-20` of it
+/// apart.
+pub(super) fn algebraic(value: &Algebraic) -> Value {
+    value.rational().as_ref().map_or_else(
+        || {
+            let near = from_float_exact(value.to_f64()).unwrap_or_default();
+            root(value, &(near.abs() / Q::from(Z::from(1) << 68_u32)))
+        },
+        rational,
+    )
+}
+
+/// A root of a polynomial, isolated by bounds at most `width` apart.
+///
+/// `value` is a decimal for those who need no more: a number, the double nearest to the root or next to that; what is
+/// exact is the root of `polynomial`, coefficients from the constant on, between `lower` and `upper`.
+pub(super) fn root(value: &Algebraic, width: &Q) -> Value {
+    let [lower, upper] = value.enclosure(width);
+    json!({
+        "value": value.to_f64(),
+        "lower": rational(&lower),
+        "upper": rational(&upper),
+        "polynomial": integers(value.polynomial().coefficients()),
+    })
+}
+
 pub(super) fn integers(row: &[Z]) -> Value {
     row.iter().map(integer).collect()
 }
@@ -31,8 +66,7 @@ pub(super) fn rationals(row: &[Q]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::ratio;
-    use serde_json::json;
+    use crate::exact::{Polynomial, parse_literal, ratio};
 
     #[test]
     fn integers_turn_into_strings_where_doubles_end() {
@@ -49,5 +83,20 @@ mod tests {
         assert_eq!(rational(&ratio(-5, 2)), json!("-5/2"));
         assert_eq!(rational(&ratio(6, 3)), json!(2));
         assert_eq!(rational(&ratio(0, 7)), json!(0));
+    }
+
+    #[test]
+    fn roots_are_isolated_by_close_bounds_and_rational_ones_are_rationals() {
+        let square = Polynomial::from([-2, 0, 1]).real_roots(ratio(0, 1)..).unwrap().remove(0);
+        let shown = algebraic(&square);
+        assert_eq!(shown["polynomial"], json!([-2, 0, 1]));
+        assert!((shown["value"].as_f64().unwrap() - 2_f64.sqrt()).abs() <= f64::EPSILON);
+        let [lower, upper] = ["lower", "upper"].map(|end| parse_literal(shown[end].as_str().unwrap()).unwrap());
+        assert!(&lower * &lower < ratio(2, 1) && &upper * &upper > ratio(2, 1));
+        assert!((&upper - &lower) * Q::from(Z::from(10).pow(20)) <= lower);
+        // 2 x³ - 3 x² - 4 x + 6 = (x² - 2) (2 x - 3)
+        let roots = Polynomial::from([6, -4, -3, 2]).real_roots(..).unwrap();
+        assert_eq!(roots.iter().map(algebraic).filter(|shown| *shown == json!("3/2")).count(), 1);
+        assert_eq!(algebraic(&ratio(0, 1).into()), json!(0));
     }
 }

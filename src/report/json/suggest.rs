@@ -2,11 +2,11 @@
 
 use super::super::Subject;
 use super::friction::critical_friction;
-use super::number::{rational, rationals};
+use super::number::{range, rational, rationals};
 use super::{context, empty_because, envelope, plan};
 use crate::answer::{Proposal, Suggestion};
 use crate::exact::to_f64;
-use crate::model::{Fixel, Friction, Range};
+use crate::model::{Fixel, Friction};
 use serde_json::{Value, json};
 
 /// Schema of `plan insert --suggest`.
@@ -67,10 +67,6 @@ fn proposal(proposal: &Proposal) -> Value {
 
 /// Friction as case files write it.
 fn friction(friction: &Friction) -> Value {
-    let range = |range: &Range| match range.min == range.max {
-        true => rational(&range.min),
-        false => json!({ "min": rational(&range.min), "max": rational(&range.max) }),
-    };
     if friction.kinetic == friction.static_ {
         return range(&friction.static_);
     }

@@ -37,6 +37,16 @@ impl Report {
         }
     }
 
+    /// Rows under their headings, each column as wide as its widest entry.
+    pub(super) fn table<const N: usize>(&mut self, rows: &[[String; N]]) {
+        let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..N).map(width).collect();
+        for row in rows {
+            let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+            self.text.push_str(&format!("  {}\n", cells.join("  ").trim_end()));
+        }
+    }
+
     pub(super) fn fixels(&mut self, subject: &Subject) {
         let unit = subject.part.unit.symbol();
         let describe = |(number, fixel): (usize, &crate::model::Fixel)| {

@@ -4,6 +4,8 @@ mod cone;
 mod friction;
 mod insert;
 mod lines;
+mod orientation;
+mod pins;
 mod polyhedron;
 mod stable;
 mod suggest;
@@ -11,6 +13,7 @@ mod witness;
 
 pub use cone::{cones, judged_cones};
 pub use insert::insertion;
+pub use pins::pins;
 pub use polyhedron::polyhedron_notes;
 pub use stable::stability;
 pub use suggest::suggestion;

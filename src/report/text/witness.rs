@@ -74,10 +74,5 @@ fn absent(step: &Step) -> Vec<usize> {
 
 fn fixels(numbers: &[usize]) -> String {
     let noun = if numbers.len() == 1 { "fixel" } else { "fixels" };
-    let shown = if numbers.len() > MOST_NAMED { MOST_NAMED - 1 } else { numbers.len() };
-    let mut names: Vec<String> = numbers[..shown].iter().map(ToString::to_string).collect();
-    if shown < numbers.len() {
-        names.push(format!("{} more", numbers.len() - shown));
-    }
-    format!("{noun} {}", phrase::joined(&names, "and"))
+    format!("{noun} {}", phrase::numbered(numbers, MOST_NAMED))
 }

@@ -1,0 +1,5 @@
+//! Reports on pins, against the published results of the public cases.
+
+mod document;
+mod published;
+mod words;
