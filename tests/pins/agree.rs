@@ -36,11 +36,21 @@ pub fn agrees(pins: &Pins, oracle: &Conveyed, shares: &[f64]) -> Result<Tally, S
     }
     let mut tally = Tally::default();
     for orientation in &pins.orientations {
-        path(orientation, oracle)
-            .and_then(|()| heights(orientation, oracle, shares, &mut tally))
-            .map_err(|fault| format!("edge {}: {fault}", orientation.edge))?;
+        orientation_agrees(orientation, oracle, shares, &mut tally)?;
     }
     Ok(tally)
+}
+
+/// The same for one orientation.
+pub fn orientation_agrees(
+    orientation: &Orientation,
+    oracle: &Conveyed,
+    shares: &[f64],
+    tally: &mut Tally,
+) -> Result<(), String> {
+    path(orientation, oracle)
+        .and_then(|()| heights(orientation, oracle, shares, tally))
+        .map_err(|fault| format!("edge {}: {fault}", orientation.edge))
 }
 
 fn path(orientation: &Orientation, oracle: &Conveyed) -> Result<(), String> {
@@ -59,7 +69,10 @@ fn path(orientation: &Orientation, oracle: &Conveyed) -> Result<(), String> {
     }
     let intervals = &orientation.intervals;
     let adjoin = intervals.windows(2).all(|pair| pair[0].to.as_ref() == Some(&pair[1].from));
-    let ascend = intervals.iter().all(|i| i.to.as_ref().is_none_or(|to| i.from < *to));
+    // a single height that jams has an interval of its own
+    let ascend = intervals
+        .iter()
+        .all(|i| i.to.as_ref().is_none_or(|to| i.from < *to || i.action == Some(PinAction::Jam) && i.from == *to));
     let [first, .., last] = &intervals[..] else { return Err("fewer than two intervals".into()) };
     if !(adjoin && ascend && first.from == partplan::exact::Q::from_integer(0.into()) && last.to.is_none()) {
         return Err(format!("intervals do not cover the heights once: {intervals:?}"));
