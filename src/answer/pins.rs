@@ -55,9 +55,9 @@ pub struct Orientation {
     pub intervals: Vec<ActionInterval>,
     /// The heights that topple the part, by the edge that the pin touches first.
     pub topple: Vec<ToppleInterval>,
-    /// Heights called [`PinAction::Repeat`] although the part ducks below the pin while it settles: how fast it falls decides
-    /// whether they meet again.
-    pub repeat_over_dip: Vec<[Algebraic; 2]>,
+    /// Heights between the lowest to which the part ducks while it settles and its height after that: whether those of
+    /// them that are called [`PinAction::Repeat`] meet the part again depends on how fast it falls. `None` if none is.
+    pub repeat_over_dip: Option<[Algebraic; 2]>,
     /// The curves of the toppling graph while the part turns from here to the next stable edge; for pictures only.
     pub curves: Vec<Curve>,
 }
@@ -86,8 +86,8 @@ pub enum CurveKind {
 
 /// Heights at which a pin does the same.
 ///
-/// At an end shared by two intervals the part jams if it does so on either side; otherwise what is said of the upper
-/// one holds.
+/// What happens at an end shared by two intervals [`Orientation::action_at`] says. A single height that jams has an interval of
+/// its own.
 #[derive(Debug, Clone)]
 pub struct ActionInterval {
     /// The lower end; zero is not a height.
@@ -244,21 +244,23 @@ pub struct Decisions {
 impl Orientation {
     /// What a pin does at `height`, above zero, and whether that is exactly a critical height.
     ///
-    /// The heights that jam are a closed set: a critical height jams if one of its sides does, and does otherwise what
-    /// heights above it do.
+    /// A part as high as the pin passes under it. Otherwise a critical height jams if one of its sides does, since the
+    /// heights that jam are a closed set, and does what heights above it do if none does.
     #[must_use]
     pub fn action_at(&self, height: &Q) -> (Option<PinAction>, bool) {
         let height = Algebraic::from(height.clone());
-        let above = |interval: &ActionInterval| {
-            interval.to.as_ref().is_none_or(|to| height.cmp(to) == Ordering::Less)
-        };
+        let above = |interval: &ActionInterval| interval.to.as_ref().is_none_or(|to| height.cmp(to) == Ordering::Less);
         let at = self.intervals.iter().position(above).expect("the last interval has no end");
         let here = &self.intervals[at];
         if at == 0 || height > here.from {
             return (here.action, false);
         }
         let below = self.intervals[at - 1].action;
-        let jams = [below, here.action].contains(&Some(PinAction::Jam));
-        (if jams { Some(PinAction::Jam) } else { here.action.and(below.and(here.action)) }, true)
+        let action = match (below, here.action) {
+            (_, Some(PinAction::PassUnder)) => here.action,
+            (Some(PinAction::Jam), _) | (_, Some(PinAction::Jam)) => Some(PinAction::Jam),
+            (below, action) => below.and(action),
+        };
+        (action, true)
     }
 }

@@ -148,3 +148,79 @@ impl<'a, T: Int> PrimalDual<'a, T> {
         Ok(first.expect("no direction of the bounded section stays in the cone"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cone::Pair;
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    fn drawn(dim: usize, n_rows: usize) -> impl Strategy<Value = Matrix<i128>> {
+        vec(vec(-4..=4_i128, dim), n_rows).prop_map(move |rows| Matrix::from_rows(dim, rows))
+    }
+
+    fn set(rows: &Matrix<i128>) -> BTreeSet<Vec<i128>> {
+        rows.rows().map(<[i128]>::to_vec).collect()
+    }
+
+    /// Normals of a cone with few rays: its facets and sums of two of them, which are redundant.
+    fn few_rays() -> impl Strategy<Value = (Pair<i128>, Matrix<i128>)> {
+        let cone = (4..=6_usize).prop_flat_map(|dim| drawn(dim, dim + 2)).prop_filter_map("full and pointed", |rays| {
+            let pair = Pair::from_rays(rays).expect("small entries");
+            (pair.lines().is_empty() && pair.equalities().is_empty()).then_some(pair)
+        });
+        (cone, vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 60)).prop_map(|(pair, picked)| {
+            let mut normals = set(pair.facets());
+            for (one, other) in picked {
+                let [one, other] = [one, other].map(|index| pair.facets().row(index.index(pair.facets().len())));
+                let mut sum: Vec<i128> = one.iter().zip(other).map(|(x, y)| x + y).collect();
+                i128::make_primitive(&mut sum);
+                normals.insert(sum);
+            }
+            let normals = Matrix::from_rows(pair.ambient(), normals);
+            (pair, normals)
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn the_rays_that_generate_a_cone_are_found((pair, normals) in few_rays()) {
+            let mut search = PrimalDual::new(&normals).unwrap().expect("a full cone has an inside");
+            let Ok(found) = search.run(u64::MAX) else { panic!("effort is not limited") };
+            let is_few = |rays: usize| FEWER * rays <= normals.len();
+            match found {
+                Some(Faces { flat, facets, rays }) => {
+                    prop_assert!(flat.is_empty());
+                    prop_assert_eq!(set(&rays), set(pair.rays()));
+                    let facets = Matrix::from_rows(pair.ambient(), facets.into_iter().map(|row| normals.row(row)));
+                    prop_assert_eq!(set(&facets), set(pair.facets()));
+                }
+                None => prop_assert!(!is_few(pair.rays().len())),
+            }
+        }
+
+        #[test]
+        fn effort_that_is_not_enough_ends_it((pair, normals) in few_rays(), allowed in 0..400_u64) {
+            let mut search = PrimalDual::new(&normals).unwrap().expect("a full cone has an inside");
+            let Ok(found) = search.run(allowed) else { panic!("numbers are small") };
+            if let Some(found) = found {
+                prop_assert_eq!(set(&found.rays), set(pair.rays()));
+            }
+        }
+
+        #[test]
+        fn there_is_a_point_inside_iff_the_cone_has_full_dimension(normals in (2..=5_usize).prop_flat_map(|dim| drawn(dim, 2 * dim))) {
+            let pair = Pair::from_normals(&Matrix::new(normals.columns()), &normals).unwrap();
+            prop_assume!(pair.lines().is_empty() && normals.rows().all(|row| row.iter().any(|entry| *entry != 0)));
+            let point = interior_point(&normals).unwrap();
+            prop_assert_eq!(point.is_some(), pair.equalities().is_empty());
+            if let Some(point) = point {
+                for normal in normals.rows() {
+                    prop_assert!(dot_sign(normal, &point).unwrap().is_lt());
+                }
+            }
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use super::{Q, Z};
 use num_traits::ToPrimitive as _;
 use std::cmp::Ordering;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A closed interval of doubles that holds a real number, however operations were rounded; it may be unbounded.
 ///
@@ -49,6 +49,16 @@ impl FloatInterval {
         Self { low: Self::of_rational(low).low, high: Self::of_rational(high).high }
     }
 
+    /// Of all numbers between two doubles, the first of them not greater.
+    ///
+    /// # Panics
+    /// If one of them is not a number.
+    #[must_use]
+    pub fn from_ends(low: f64, high: f64) -> Self {
+        assert!(low <= high, "the ends of an interval are in order");
+        Self { low, high }
+    }
+
     /// The ends.
     #[must_use]
     pub fn ends(self) -> [f64; 2] {
@@ -73,6 +83,18 @@ impl FloatInterval {
     /// One double further on both sides, which covers the rounding of one operation to nearest.
     fn widened(self) -> Self {
         Self { low: self.low.next_down(), high: self.high.next_up() }
+    }
+}
+
+/// Unbounded if the divisor may be zero.
+impl Div for FloatInterval {
+    type Output = Self;
+
+    fn div(self, divisor: Self) -> Self {
+        match divisor.sign() {
+            Some(Ordering::Less | Ordering::Greater) => hull(self.pairs(divisor).map(|(a, b)| a / b)),
+            _ => Self { low: f64::NEG_INFINITY, high: f64::INFINITY },
+        }
     }
 }
 

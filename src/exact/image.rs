@@ -1,7 +1,7 @@
 //! What a rational function takes a real algebraic number to.
 
-use super::{Algebraic, Polynomial, Q, Z, make_primitive, ratio};
-use num_traits::{One as _, Signed as _, Zero as _};
+use super::{Algebraic, Entries, Int as _, Long, Polynomial, Q, ratio};
+use num_traits::{One as _, Signed as _};
 
 impl Algebraic {
     /// An interval at most `width` wide that holds `numerator / denominator` at this number; `None` if the denominator
@@ -86,31 +86,34 @@ fn equation_of_image(own: &Polynomial, a: &Polynomial, b: &Polynomial) -> Polyno
     let n = own.degree().unwrap_or_default();
     let length = 1 + n.max(n * a.degree().max(b.degree()).unwrap_or_default());
     // columns: powers of x, then how much of each a^k b^(n-k) is in the row
-    let row = |polynomial: &Polynomial, shift: usize, mark: Option<usize>| -> Vec<Z> {
-        let mut row = vec![Z::zero(); length + n + 1];
-        row[shift..].iter_mut().zip(polynomial.coefficients()).for_each(|(entry, c)| entry.clone_from(c));
-        mark.into_iter().for_each(|k| row[length + k] = Z::one());
+    let row = |polynomial: &Polynomial, shift: usize, mark: Option<usize>| -> Entries<Long> {
+        let mut row = Entries::from_elem(Long::default(), length + n + 1);
+        let coefficients = polynomial.coefficients().iter().filter_map(Long::from_z);
+        row[shift..].iter_mut().zip(coefficients).for_each(|(entry, c)| *entry = c);
+        mark.into_iter().for_each(|k| row[length + k] = Long::unit());
         row
     };
-    let mut reducers: Vec<Option<Vec<Z>>> = (0..length).map(|top| Some(row(own, top.checked_sub(n)?, None))).collect();
+    let mut reducers: Vec<Option<Entries<Long>>> =
+        (0..length).map(|top| Some(row(own, top.checked_sub(n)?, None))).collect();
     (0..=n)
         .find_map(|k| reduced(row(&(&power(a, k) * &power(b, n - k)), 0, Some(k)), &mut reducers))
-        .map(|relation| Polynomial::new(relation[length..].to_vec()))
+        .map(|relation| Polynomial::new(relation[length..].iter().map(Long::to_z).collect()))
         .expect("n + 1 vectors of n dimensions are dependent")
 }
 
 /// The row without any power of x, if the reducers can bring it there; else it becomes one of them.
-fn reduced(mut row: Vec<Z>, reducers: &mut [Option<Vec<Z>>]) -> Option<Vec<Z>> {
+fn reduced(mut row: Entries<Long>, reducers: &mut [Option<Entries<Long>>]) -> Option<Entries<Long>> {
     for top in (0..reducers.len()).rev() {
-        if row[top].is_zero() {
+        if row[top].sign().is_eq() {
             continue;
         }
         let Some(reducer) = &reducers[top] else {
             reducers[top] = Some(row);
             return None;
         };
-        row = row.iter().zip(reducer).map(|(x, y)| &reducer[top] * x - &row[top] * y).collect();
-        make_primitive(&mut row);
+        let mut next = Entries::new();
+        Long::combine(&reducer[top], &row, &row[top].negated(), reducer, &mut next).expect("any size fits");
+        row = next;
     }
     Some(row)
 }

@@ -1,9 +1,8 @@
 //! Rows of integers in one allocation.
 
-use super::gcd::gcd;
 use super::{Int, Long, Overflow, Q, Z};
 use num_integer::Integer as _;
-use num_traits::{One as _, Signed as _, Zero as _};
+use num_traits::One as _;
 use smallvec::SmallVec;
 
 /// Entries of rows, on the stack while there are few: most cones in wrench space have at most four rows a side.
@@ -211,14 +210,13 @@ pub fn primitive_row(row: &[Q]) -> Vec<Z> {
 
 /// Divides `row` by the greatest common divisor of its entries.
 pub fn make_primitive(row: &mut [Z]) {
-    let mut common = Z::zero();
-    for value in row.iter() {
-        if common.is_one() {
-            return;
-        }
-        common = gcd(&common, &value.abs());
+    if row.iter().any(|value| value.magnitude().is_one()) {
+        return;
     }
-    if common > Z::one() {
-        row.iter_mut().for_each(|value| *value /= &common);
+    let given: Entries<Long> = row.iter().filter_map(Long::from_z).collect();
+    let mut found = given.clone();
+    Long::make_primitive(&mut found);
+    if found != given {
+        row.iter_mut().zip(&found).for_each(|(value, quotient)| *value = quotient.to_z());
     }
 }

@@ -5,6 +5,7 @@ mod hull;
 mod moments;
 mod outline;
 mod polygon;
+mod resting;
 mod scaled;
 mod simple;
 mod tangent;
@@ -13,6 +14,7 @@ pub use circle::rational_point_on_circle;
 pub use moments::Moments;
 pub use outline::{Location, shortened};
 pub use polygon::{MAX_COORDINATE_BITS, MAX_REPORTED_FAULTS, Polygon, PolygonFault};
+pub use resting::{rests_on, symmetry_shift};
 pub use tangent::{TangentEnclosure, tangent_of_degrees};
 
 use crate::exact::Q;

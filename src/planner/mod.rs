@@ -4,6 +4,7 @@ mod critical;
 mod directions;
 mod fingers;
 mod insert;
+mod pins;
 mod recommend;
 mod robust;
 mod seating;
@@ -15,6 +16,7 @@ mod transitions;
 mod witness;
 
 pub use insert::insertion;
+pub use pins::{PinQuestion, PinsError, pins};
 pub use sets::{Question, mode_cones};
 pub use stability::stability;
 pub use suggest::{Progress, Stage, SuggestError, suggest};
