@@ -113,7 +113,7 @@ fn heights(orientation: &Orientation, oracle: &Conveyed, shares: &[f64], tally: 
                 return Err(format!("at {h} the part touches {:?} first, not what {table:?} says", meeting.first));
             }
             let flagged = dips.iter().any(|[from, to]| *from < h && h < *to);
-            if flagged != (action == PinAction::Repeat && meeting.ducks) {
+            if action == PinAction::Repeat && flagged != meeting.ducks {
                 return Err(format!("at {h} ducks: {}, not what {dips:?} says", meeting.ducks));
             }
         }

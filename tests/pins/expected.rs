@@ -4,7 +4,7 @@ use crate::agree::agrees;
 use crate::public::{Public, action, all, edge, edges, list, point, public};
 use crate::search::{Search, replay};
 use crate::support::cases::number;
-use partplan::answer::{PinAction, Pins};
+use partplan::answer::Pins;
 use partplan::exact::{Algebraic, Q, ratio, to_f64};
 use partplan::planner::{PinQuestion, pins};
 use serde_json::Value;
@@ -65,12 +65,9 @@ fn critical_heights_agree() {
                 assert!(same(&ours.from, &theirs["from"]) && same(&ours.to, &theirs["to"]), "{place}");
             }
             let dips = list(&theirs["repeat_over_dip"]);
-            assert_eq!(2 * ours.repeat_over_dip.len(), dips.len(), "{place}");
-            for ([from, to], theirs) in ours.repeat_over_dip.iter().zip(dips.chunks(2)) {
-                // theirs holds heights that jam as well
-                let cut = ours.intervals.iter().any(|i| i.action == Some(PinAction::Repeat) && i.from == *from);
-                assert!((same(from, &theirs[0]) || cut) && same(to, &theirs[1]), "{place}");
-            }
+            let ends: Vec<&Algebraic> = ours.repeat_over_dip.iter().flatten().collect();
+            assert_eq!(ends.len(), dips.len(), "{place}");
+            assert!(ends.iter().zip(dips).all(|(ours, theirs)| same(ours, theirs)), "{place}");
         }
     }
 }
