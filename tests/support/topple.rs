@@ -11,6 +11,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 type Point = [f64; 2];
 
+/// Forces, with lengths as above and the friction's scale divided out, nearer to balance than doubles can tell.
+const TIE: f64 = 1e-13;
+
 /// A part on a belt.
 pub struct Conveyed {
     /// Corners of the hull, counter-clockwise from the first corner of the outline that is one.
@@ -33,6 +36,8 @@ pub struct Meeting {
     pub first: Option<usize>,
     /// The part ducks below the pin while it settles.
     pub ducks: bool,
+    /// The forces balance exactly, or so nearly that doubles cannot tell: said to jam.
+    pub tied: bool,
 }
 
 impl Conveyed {
@@ -79,10 +84,12 @@ impl Conveyed {
     /// Turns in radians: until the center of mass is over the pivot, and until the next stable edge is flat.
     pub fn turns(&self, edge: usize) -> [f64; 2] {
         let (mut total, mut over) = (0.0, None);
-        for leg in self.pivots(edge).into_iter().map(|pivot| &self.legs[pivot]) {
+        let pivots = self.pivots(edge);
+        for (place, pivot) in pivots.iter().enumerate() {
+            let leg = &self.legs[*pivot];
             let upright = FRAC_PI_2 - angle(leg.center);
-            // exactly at the end of the turn about one corner is at the start of the turn about the next
-            if over.is_none() && upright < leg.turn + 1e-12 {
+            // one that is upright just as it meets the belt flat tips on over the next corner
+            if over.is_none() && (upright < leg.turn - 1e-12 || place + 1 == pivots.len()) {
                 over = Some(total + upright);
             }
             total += leg.turn;
@@ -92,8 +99,8 @@ impl Conveyed {
 
     /// What a pin does, unless it is so near a critical height that doubles should not decide.
     pub fn action(&self, edge: usize, height: f64) -> Option<PinAction> {
-        let [at, below, above] = [1.0, 1.0 - 1e-7, 1.0 + 1e-7].map(|factor| self.meet(edge, height * factor).action);
-        (at == below && at == above).then_some(at)
+        let [at, below, above] = [1.0, 1.0 - 1e-7, 1.0 + 1e-7].map(|factor| self.meet(edge, height * factor));
+        (at.action == below.action && at.action == above.action && !at.tied).then_some(at.action)
     }
 
     /// The edge on which the part ends, or none if it jams; nothing near a critical height.
@@ -113,7 +120,7 @@ impl Conveyed {
     /// What a pin at `height` does to the part with `edge` on the belt.
     pub fn meet(&self, edge: usize, height: f64) -> Meeting {
         let h = height / self.size;
-        let mut meeting = Meeting { action: PinAction::PassUnder, first: None, ducks: false };
+        let mut meeting = Meeting { action: PinAction::PassUnder, first: None, ducks: false, tied: false };
         if h >= self.legs[edge].top(0.0) {
             return meeting;
         }
@@ -123,7 +130,8 @@ impl Conveyed {
                 let rolls = leg.center_at(middle)[0] > 0.0;
                 let Some(touched) = leg.touched(middle, h) else {
                     if rolls {
-                        return Meeting { action: PinAction::FallBack, ..meeting };
+                        let action = if meeting.tied { PinAction::Jam } else { PinAction::FallBack };
+                        return Meeting { action, ..meeting };
                     }
                     meeting.ducks = true;
                     continue;
@@ -135,10 +143,15 @@ impl Conveyed {
                     let center = leg.center_at(turn)[0];
                     if rolls { self.carries(&contact, center, slide) } else { self.releases(&contact, center, slide) }
                 };
-                if least(piece, margin) <= 0.0 {
-                    return Meeting { action: PinAction::Jam, ..meeting };
+                let least = least(piece, margin);
+                if least < -TIE {
+                    return Meeting { action: PinAction::Jam, tied: false, ..meeting };
                 }
+                meeting.tied |= least <= TIE;
             }
+        }
+        if meeting.tied {
+            return Meeting { action: PinAction::Jam, ..meeting };
         }
         let passes = h >= self.legs[self.next(edge)].top(0.0);
         meeting.ducks &= !passes;
@@ -288,7 +301,7 @@ impl Leg {
     }
 }
 
-/// The least value on a closed piece, or one that is not positive.
+/// The least value on a closed piece, or one that is clearly not positive.
 fn least(piece: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
     const STEPS: usize = 24;
     let at = |step: f64| piece[0] + (piece[1] - piece[0]) * step / STEPS as f64;
@@ -296,7 +309,7 @@ fn least(piece: [f64; 2], value: impl Fn(f64) -> f64) -> f64 {
     let mut least = values.iter().copied().fold(f64::INFINITY, f64::min);
     for low in 0..=STEPS {
         let (before, after) = (low.saturating_sub(1), STEPS.min(low + 1));
-        if least <= 0.0 || values[low] > values[before].min(values[after]) {
+        if least < -TIE || values[low] > values[before].min(values[after]) {
             continue;
         }
         let (mut from, mut to) = (at(before as f64), at(after as f64));
