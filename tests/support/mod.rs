@@ -10,6 +10,7 @@ pub mod modes;
 pub mod paper;
 pub mod random;
 pub mod sturm;
+pub mod topple;
 pub mod witness;
 
 use partplan::exact::{Q, parse_literal};

@@ -15,12 +15,17 @@ pub type Setup = (Part, Fixture);
 
 /// `cases` runs unless the environment says otherwise.
 pub fn runs(cases: u32) -> ProptestConfig {
+    runs_of("proptest-regressions/properties.txt", cases)
+}
+
+/// The same, for tests whose failures are kept in `file`.
+pub fn runs_of(file: &'static str, cases: u32) -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let default = ProptestConfig::default();
     ProptestConfig {
         cases: if asked { default.cases } else { cases },
         max_shrink_iters: 300,
-        failure_persistence: Some(Box::new(FileFailurePersistence::Direct("proptest-regressions/properties.txt"))),
+        failure_persistence: Some(Box::new(FileFailurePersistence::Direct(file))),
         ..default
     }
 }

@@ -1,0 +1,134 @@
+//! Parts whose friction or center of mass is known within limits: what is said holds for every value.
+
+use crate::draw::{Drawn, belts, bodies, pins as pin_friction, runs};
+use crate::support::int;
+use partplan::answer::{PinAction, Pins};
+use partplan::exact::{Q, ratio, to_f64};
+use partplan::model::Range;
+use partplan::planner::{PinQuestion, PinsError, pins};
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+/// A box of parts and conveyors around `drawn`, its half-widths shares of the coefficients and of the part.
+#[derive(Debug, Clone)]
+struct Uncertain {
+    drawn: Drawn,
+    belt: Q,
+    pin: Q,
+    center: Q,
+}
+
+fn uncertain() -> impl Strategy<Value = Uncertain> {
+    let share = || prop_oneof![1 => Just(int(0)), 3 => (1..=20_i64).prop_map(|x| ratio(x, 100))];
+    (bodies(), belts(), pin_friction(), share(), share(), share()).prop_map(|((outline, at), belt, pin, b, p, c)| {
+        let (belt_half, pin_half) = (&belt * b, &pin * p);
+        let drawn = Drawn::new(outline, at, belt, pin);
+        Uncertain { drawn, belt: belt_half, pin: pin_half, center: c / int(4) }
+    })
+}
+
+impl Uncertain {
+    fn planned(&self) -> Result<Pins, PinsError> {
+        let mut part = self.drawn.part();
+        part.center_of_mass_tolerance.clone_from(&self.center);
+        let mut conveyor = self.drawn.conveyor();
+        let around = |value: &Q, half: &Q| Range { min: value - half, max: value + half };
+        conveyor.belt_friction = around(&self.drawn.belt, &self.belt);
+        conveyor.pin_friction = around(&self.drawn.pin, &self.pin);
+        pins(&part, &conveyor, &PinQuestion::default())
+    }
+
+    /// One choice, at shares from -1 to 1 of the half-widths.
+    fn choice(&self, shares: &[i64]) -> Drawn {
+        let at = |value: &Q, half: &Q, share: i64| value + half * ratio(share, 12);
+        let center = [0, 1].map(|i| at(&self.drawn.center[i], &self.center, shares[i]));
+        let belt = at(&self.drawn.belt, &self.belt, shares[2]);
+        let pin = at(&self.drawn.pin, &self.pin, shares[3]);
+        Drawn::new(self.drawn.outline.clone(), center, belt, pin)
+    }
+}
+
+fn certain(drawn: &Drawn) -> Pins {
+    pins(&drawn.part(), &drawn.conveyor(), &PinQuestion::default()).expect("nothing in the case is uncertain")
+}
+
+proptest! {
+    #![proptest_config(runs(60))]
+
+    /// What is said of a height comes true at every point of the box, exactly.
+    #[test]
+    fn a_promise_holds_all_over_the_box(case in uncertain(), shares in vec(vec(-12..=12_i64, 4), 3), at in vec(1..=7_i64, 2)) {
+        let Ok(answer) = case.planned() else { return Ok(()) };
+        for shares in shares {
+            let choice = certain(&case.choice(&shares));
+            prop_assert_eq!(&answer.stable, &choice.stable);
+            for (ours, point) in answer.orientations.iter().zip(&choice.orientations) {
+                prop_assert_eq!((ours.next, &ours.pivots), (point.next, &point.pivots));
+                for interval in &ours.intervals {
+                    let Some(action) = interval.action else { continue };
+                    for eighths in &at {
+                        let Some(height) = inside(interval, *eighths) else { continue };
+                        prop_assert_eq!(point.action_at(&height).0, Some(action), "edge {} at {}", ours.edge, to_f64(&height));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Pins planned for the box leave one class at every point of it.
+    #[test]
+    fn pins_work_all_over_the_box(case in uncertain(), shares in vec(vec(-12..=12_i64, 4), 3)) {
+        let Ok(answer) = case.planned() else { return Ok(()) };
+        let Some(sequence) = &answer.plan.sequence else { return Ok(()) };
+        for shares in shares {
+            let choice = certain(&case.choice(&shares));
+            let mut set = choice.stable.clone();
+            for pin in sequence {
+                let ends = set.iter().map(|edge| end(&choice, *edge, &pin.height));
+                set = ends.collect::<Option<_>>().ok_or_else(|| TestCaseError::fail(format!("a jam at {}", pin.height)))?;
+            }
+            prop_assert!(set.iter().all(|edge| answer.plan.end.contains(edge)), "{set:?}");
+        }
+    }
+
+    /// Where nothing is said, some corners of the box differ.
+    #[test]
+    fn silence_has_a_reason(case in uncertain()) {
+        let Ok(answer) = case.planned() else { return Ok(()) };
+        let sides = |corner: usize| [0, 1, 2, 3].map(|bit| if corner >> bit & 1 == 0 { -12 } else { 12 });
+        let corners: Vec<Pins> = (0..16).map(|corner| certain(&case.choice(&sides(corner)))).collect();
+        for (at, ours) in answer.orientations.iter().enumerate() {
+            for interval in ours.intervals.iter().filter(|i| i.action.is_none()) {
+                let Some(height) = inside(interval, 4) else { continue };
+                let actions: Vec<Option<PinAction>> = corners.iter().map(|c| c.orientations[at].action_at(&height).0).collect();
+                prop_assert!(actions.iter().any(|action| *action != actions[0]), "edge {} at {}", ours.edge, to_f64(&height));
+            }
+        }
+    }
+}
+
+/// A height inside of an interval.
+fn inside(interval: &partplan::answer::ActionInterval, eighths: i64) -> Option<Q> {
+    let width = ratio(1, 1_000_000_000_000);
+    let [_, low] = interval.from.enclosure(&width);
+    let [high, _] = match &interval.to {
+        Some(to) => to.enclosure(&width),
+        None => [int(2) * &low, int(2) * &low],
+    };
+    (low < high).then(|| &low + (&high - &low) * ratio(eighths, 8))
+}
+
+/// Where a part ends; exact.
+fn end(answer: &Pins, edge: usize, height: &Q) -> Option<usize> {
+    let mut at = edge;
+    for _ in 0..=answer.stable.len() {
+        let orientation = answer.orientations.iter().find(|o| o.edge == at)?;
+        at = match orientation.action_at(height).0? {
+            PinAction::PassUnder | PinAction::FallBack => return Some(at),
+            PinAction::Jam => return None,
+            PinAction::Pass => return Some(orientation.next),
+            PinAction::Repeat => orientation.next,
+        }
+    }
+    None
+}

@@ -1,0 +1,14 @@
+//! What pins do to parts on a conveyor, against public cases, balance of forces, and closed forms.
+
+mod agree;
+mod boxes;
+mod closed;
+mod draw;
+mod expected;
+mod extreme;
+mod oracle;
+mod properties;
+mod public;
+mod search;
+#[path = "../support/mod.rs"]
+mod support;
