@@ -58,7 +58,8 @@ pub struct Orientation {
     /// Heights between the lowest to which the part ducks while it settles and its height after that: whether those of
     /// them that are called [`PinAction::Repeat`] meet the part again depends on how fast it falls. `None` if none is.
     pub repeat_over_dip: Option<[Algebraic; 2]>,
-    /// The curves of the toppling graph while the part turns from here to the next stable edge; for pictures only.
+    /// The curves of the toppling graph while the part turns from here to the next stable edge, if they were asked for;
+    /// for pictures only.
     pub curves: Vec<Curve>,
 }
 
@@ -94,7 +95,8 @@ pub struct ActionInterval {
     pub from: Algebraic,
     /// The upper end; `None` where there is no end.
     pub to: Option<Algebraic>,
-    /// What the pin does; `None` where it depends on what is uncertain in the case.
+    /// What the pin does; `None` where it depends on what is uncertain in the case. A jam is one at the corners of what is
+    /// uncertain: in between the part may come through.
     pub action: Option<PinAction>,
 }
 

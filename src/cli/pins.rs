@@ -70,7 +70,13 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
 
 impl Args {
     fn question(&self) -> PinQuestion {
-        PinQuestion { heights: self.heights.clone(), end: self.end, max_pins: self.max_pins, pareto: self.pareto }
+        PinQuestion {
+            heights: self.heights.clone(),
+            end: self.end,
+            max_pins: self.max_pins,
+            pareto: self.pareto,
+            curves: self.svg.is_some(),
+        }
     }
 }
 

@@ -87,12 +87,14 @@ fn heights(orientation: &Orientation, oracle: &Conveyed, shares: &[f64], tally: 
     let critical: Vec<f64> = orientation.intervals.iter().map(|i| i.from.to_f64()).filter(|h| *h > 0.0).collect();
     let borders = table.iter().flat_map(|(_, from, to)| [*from, *to]).chain(dips.iter().flatten().copied());
     let borders: Vec<f64> = borders.chain(critical.iter().copied()).collect();
+    // in doubles nothing can be said of heights far below the size of the part
+    let least = 1e-9 * orientation.height.to_f64();
     for Band { from, to, action } in bands(orientation) {
         let inner = shares.iter().map(|share| from + share * (to - from));
         let ends = [from * (1.0 + 1e-6), to * (1.0 - 1e-6)].into_iter().filter(|h| *h > 0.0);
         for h in inner.chain(ends) {
             let near = |border: &f64| (h / border - 1.0).abs() < 4e-7;
-            if !(from < h && h < to) || critical.iter().any(near) {
+            if !(from < h && h < to) || h < least || critical.iter().any(near) {
                 continue;
             }
             tally.judged += 1;

@@ -80,7 +80,7 @@ fn check(orientation: &Orientation, expected: &[(Q, PinAction)]) -> Result<(), T
 }
 
 proptest! {
-    #![proptest_config(runs(60))]
+    #![proptest_config(runs(30))]
 
     /// The pivot's feet are those of the altitudes: an acute triangle jams up to the altitude of its pivot.
     #[test]

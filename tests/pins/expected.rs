@@ -149,8 +149,11 @@ fn a_search_by_balance_of_forces_finds_as_few_pins() {
     }
 }
 
+/// Pivot, edge, ends of the heights in centimetres as fractions.
+type Row = (usize, usize, [(i64, i64); 2]);
+
 /// Rows of the paper's Table 1, its pivots and edges counted from one: Zhang, Goldberg et al., section V, "Prediction".
-const TABLE_1: [(usize, usize, [(i64, i64); 2]); 5] = [
+const TABLE_1: [Row; 5] = [
     (1, 2, [(29, 10), (57, 10)]),
     (1, 3, [(83, 10), (95, 10)]),
     (5, 1, [(26, 10), (41, 10)]),

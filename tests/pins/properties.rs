@@ -16,7 +16,7 @@ fn planned(drawn: &Drawn) -> Pins {
 }
 
 proptest! {
-    #![proptest_config(runs(120))]
+    #![proptest_config(runs(60))]
 
     /// Inside of every interval the part does what balance of forces says, also just inside of the ends: what is just
     /// beyond an end is just inside of the next interval.
@@ -29,7 +29,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(runs(60))]
+    #![proptest_config(runs(25))]
 
     /// The fewest pins, and what stands in their way, are those of a search that trusts balance of forces alone; the
     /// pins, replayed orientation by orientation, leave one class.

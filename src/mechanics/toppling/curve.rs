@@ -1,6 +1,7 @@
 //! Heights as functions of the turn of a part, in `t = tan(angle / 2)`.
 
 use crate::exact::{Algebraic, FloatInterval, Polynomial, Z};
+use std::cmp::Ordering;
 
 /// The rational function `numerator / (scale (1 + t²)^power lean)`, its denominator positive wherever it is used.
 #[derive(Debug)]
@@ -47,6 +48,16 @@ impl Curve {
     pub(super) fn at(&self, t: &Algebraic) -> Algebraic {
         let denominator = denominator(&self.scale, self.power, &self.lean);
         t.apply(&self.numerator, &denominator).expect("the denominator is positive where a curve is used")
+    }
+
+    /// Whether the height is zero throughout.
+    pub(super) fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// The sign of the height at `t`.
+    pub(super) fn sign_at(&self, t: &Algebraic) -> Ordering {
+        t.sign_of(&self.numerator)
     }
 
     /// An interval that holds the heights at all of `t`.

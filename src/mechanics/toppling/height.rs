@@ -67,7 +67,16 @@ impl Ord for Height {
             return Ordering::Greater;
         }
         let is_same = self.curve.is(&other.curve) && (Rc::ptr_eq(&self.at, &other.at) || self.at == other.at);
-        if is_same { Ordering::Equal } else { self.exact().cmp(other.exact()) }
+        if is_same {
+            return Ordering::Equal;
+        }
+        // the pivot stays on the belt, so that comparisons with zero are many
+        match (self.curve.is_zero(), other.curve.is_zero()) {
+            (true, true) => Ordering::Equal,
+            (false, true) => self.curve.sign_at(&self.at),
+            (true, false) => other.curve.sign_at(&other.at).reverse(),
+            (false, false) => self.exact().cmp(other.exact()),
+        }
     }
 }
 

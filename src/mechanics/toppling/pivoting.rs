@@ -117,27 +117,34 @@ impl Pivoting {
     ///
     /// `None` for P1 without friction on the belt, where that point is at infinity and nothing holds the pivot.
     pub(super) fn force(&self, place: usize, slides: Slide, part: &Toppled) -> [Option<Rc<Curve>>; 2] {
-        let along = self.along(place);
-        let corner = &self.corners[place];
-        let [(friction, unit), (m, r)] = [part.pin_friction, part.belt_friction].map(|mu| (mu.numer(), mu.denom()));
+        let [p1, pivot] = part.pin_friction;
+        let (m, r) = (part.belt_friction.numer(), part.belt_friction.denom());
+        let (about_pivot, length2, _) = self.about_pivot(place, slides, pivot);
+        let pivot = Some(Rc::new(Curve::new(about_pivot, length2 * &self.scale, 1)));
+        if m.is_zero() {
+            return [None, pivot];
+        }
+        let (about_pivot, length2, force) = self.about_pivot(place, slides, p1);
+        let tilt = &times(&cross_b(&force), m) - &times(&dot_b(&force), r);
+        let weight = &(&cross_b(&self.along(place)) * &dot_b(&self.center_of_mass)) * &tilt;
+        let about_p1 = &(&times(&about_pivot, m) * &(&round() * &round())) + &weight;
+        [Some(Rc::new(Curve::new(about_p1, m * length2 * &self.scale, 3))), pivot]
+    }
+
+    /// Where the pin's force has no moment about the pivot: the height times `1 + t²` and a positive factor, the factor, and
+    /// the force.
+    fn about_pivot(&self, place: usize, slides: Slide, friction: &Q) -> (Polynomial, Z, Vector) {
+        let (along, corner) = (self.along(place), &self.corners[place]);
+        let unit = friction.denom();
         let against = match slides {
-            Slide::Down => -friction,
-            Slide::Up => friction.clone(),
+            Slide::Down => -friction.numer(),
+            Slide::Up => friction.numer().clone(),
         };
         // n ∓ μ_p u times the denominator of μ_p; n is u turned into the part
         let force = [-&along[1] * unit + &against * &along[0], &along[0] * unit + &against * &along[1]];
         let length2 = dot(&along, &along) * unit;
-        let times = |polynomial: &Polynomial, factor: &Z| polynomial * &Polynomial::new(vec![factor.clone()]);
-        let rise = cross_b(&along);
-        let about_pivot = &times(&cross_b(corner), &length2) - &times(&rise, &cross(corner, &force));
-        let pivot = Curve::new(about_pivot.clone(), &length2 * &self.scale, 1);
-        if m.is_zero() {
-            return [None, Some(Rc::new(pivot))];
-        }
-        let tilt = &times(&cross_b(&force), m) - &times(&dot_b(&force), r);
-        let weight = &(&rise * &dot_b(&self.center_of_mass)) * &tilt;
-        let about_p1 = &(&times(&about_pivot, m) * &(&round() * &round())) + &weight;
-        [Some(Rc::new(Curve::new(about_p1, m * &length2 * &self.scale, 3))), Some(Rc::new(pivot))]
+        let height = &times(&cross_b(corner), &length2) - &times(&cross_b(&along), &cross(corner, &force));
+        (height, length2, force)
     }
 }
 
@@ -148,6 +155,10 @@ pub(super) enum Slide {
     Down,
     /// Up the part.
     Up,
+}
+
+fn times(polynomial: &Polynomial, factor: &Z) -> Polynomial {
+    polynomial * &Polynomial::new(vec![factor.clone()])
 }
 
 fn quarter_turn(vector: &mut Vector) {

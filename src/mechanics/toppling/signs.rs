@@ -94,17 +94,19 @@ impl Span {
 
     /// The part up to a turn.
     pub(super) fn until(&self, turn: &Rc<Algebraic>) -> Self {
-        Self { from: Rc::clone(&self.from), to: Rc::clone((&self.to).min(turn)) }
+        let is_within = order(&self.to, turn).is_le();
+        Self { from: Rc::clone(&self.from), to: Rc::clone(if is_within { &self.to } else { turn }) }
     }
 
     /// The part from a turn on.
     pub(super) fn since(&self, turn: &Rc<Algebraic>) -> Self {
-        Self { from: Rc::clone((&self.from).max(turn)), to: Rc::clone(&self.to) }
+        let is_within = order(&self.from, turn).is_ge();
+        Self { from: Rc::clone(if is_within { &self.from } else { turn }), to: Rc::clone(&self.to) }
     }
 
     /// Whether there is nothing between the ends.
     pub(super) fn is_empty(&self) -> bool {
-        self.from >= self.to
+        order(&self.from, &self.to).is_ge()
     }
 
     /// Some rational strictly inside.
@@ -119,6 +121,11 @@ impl Span {
         let [_, greatest] = FloatInterval::of_rational(&high).ends();
         [least, greatest]
     }
+}
+
+/// The order of two turns, most of which are known by where they are kept.
+pub(super) fn order(one: &Rc<Algebraic>, other: &Rc<Algebraic>) -> Ordering {
+    if Rc::ptr_eq(one, other) { Ordering::Equal } else { one.cmp(other) }
 }
 
 enum Verdict {

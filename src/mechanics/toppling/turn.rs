@@ -4,7 +4,7 @@ use super::height::Height;
 use super::jams::Edge;
 use super::pivoting::{Facing, Pivoting};
 use super::region::Signs;
-use super::signs::Span;
+use super::signs::{Span, order};
 use super::sketch::{Sketch, Sketched};
 use crate::exact::{Algebraic, Q};
 use crate::geometry::rests_on;
@@ -19,8 +19,13 @@ pub struct Toppled<'a> {
     pub center_of_mass: &'a [Q; 2],
     /// Coefficient μ_t between part and belt, not negative.
     pub belt_friction: &'a Q,
-    /// Coefficient μ_p between part and pin, not negative.
-    pub pin_friction: &'a Q,
+    /// Coefficient μ_p between part and pin, not negative: what counts for the moment about P1, and for that about the
+    /// pivot.
+    ///
+    /// They are the same where the coefficient is known. Where it is not, the part may jam while it settles for some
+    /// coefficient inside of a range only if it does so for the greatest about the pivot with one of both ends about P1, as
+    /// each moment is linear in the coefficient and that about the pivot falls.
+    pub pin_friction: [&'a Q; 2],
 }
 
 /// What pins of all heights do while a part turns from one stable edge to the next.
@@ -46,7 +51,7 @@ pub struct Turn {
     pub settling_jams: Vec<[Height; 2]>,
     /// The edges that a pin may touch first, from the belt up, each with the heights of its ends before the turn.
     pub side: Vec<(usize, [Height; 2])>,
-    /// The curves, for drawing.
+    /// The curves, if they are to be drawn.
     pub sketch: Sketch,
 }
 
@@ -59,13 +64,13 @@ impl Toppled<'_> {
     /// # Panics
     /// If the part does not rest on `edge` stably.
     #[must_use]
-    pub fn turn(&self, edge: usize, signs: &Signs) -> Turn {
+    pub fn turn(&self, edge: usize, is_drawn: bool, signs: &Signs) -> Turn {
         assert!(self.is_stable(edge), "a turn begins on a stable edge");
         let n = self.corners.len();
         let mut walk = Walk::default();
         let mut pivot = edge;
         loop {
-            walk.pivot(self, Pivoting::about(self, pivot, signs), signs);
+            walk.pivot(self, Pivoting::about(self, pivot, signs), is_drawn, signs);
             pivot = (pivot + n - 1) % n;
             if self.is_stable(pivot) {
                 return walk.end(pivot);
@@ -97,7 +102,7 @@ struct Walk {
 }
 
 impl Walk {
-    fn pivot(&mut self, part: &Toppled, pivoting: Pivoting, signs: &Signs) {
+    fn pivot(&mut self, part: &Toppled, pivoting: Pivoting, is_drawn: bool, signs: &Signs) {
         let facing = pivoting.facing(signs);
         let tops = Tops::of(&pivoting, &facing);
         if self.pivots.is_empty() {
@@ -121,13 +126,19 @@ impl Walk {
         if self.theta_t.is_some() {
             self.settle(&edges, &tops, &settling, signs);
         }
-        let n = part.corners.len();
-        let names = edges.iter().map(|edge| (pivoting.pivot + edge.place()) % n);
-        let sketched = Sketched { pivoting: &pivoting, edges: &edges, names: names.collect(), turned: self.turned };
-        let phases = if self.theta_t.is_some() { [&rolling, &settling] } else { [&rolling, &span.since(&span.to)] };
-        self.sketch.add(&sketched, phases);
+        if is_drawn {
+            self.draw(part, &pivoting, &edges, [&rolling, &settling]);
+        }
         self.last = Some(tops.at(&span.to));
         self.turned += degrees(&span);
+    }
+
+    fn draw(&mut self, part: &Toppled, pivoting: &Pivoting, edges: &[Edge], [rolling, settling]: [&Span; 2]) {
+        let n = part.corners.len();
+        let names = edges.iter().map(|edge| (pivoting.pivot + edge.place()) % n);
+        let sketched = Sketched { pivoting, edges, names: names.collect(), turned: self.turned };
+        let later = rolling.since(&rolling.to);
+        self.sketch.add(&sketched, [rolling, if self.theta_t.is_some() { settling } else { &later }]);
     }
 
     /// Jams count until the part is lost: at a turn, for pins no higher than the part ever was before.
@@ -193,7 +204,7 @@ impl Tops {
     fn of(pivoting: &Pivoting, facing: &[Facing]) -> Self {
         let top = facing.len();
         let mut corners = vec![(Rc::clone(&pivoting.span.from), pivoting.corner(top))];
-        for edge in facing.iter().rev().take_while(|edge| edge.span.to < pivoting.span.to) {
+        for edge in facing.iter().rev().take_while(|edge| order(&edge.span.to, &pivoting.span.to).is_lt()) {
             corners.push((Rc::clone(&edge.span.to), pivoting.corner(edge.place)));
         }
         Self { corners }
@@ -201,15 +212,19 @@ impl Tops {
 
     /// The height of the part.
     fn at(&self, turn: &Rc<Algebraic>) -> Height {
-        let (_, corner) =
-            self.corners.iter().rfind(|(from, _)| from <= turn).expect("the first is there from the start");
+        let (_, corner) = self
+            .corners
+            .iter()
+            .rfind(|(from, _)| order(from, turn).is_le())
+            .expect("the first is there from the start");
         Height::of(corner, turn)
     }
 
     /// Where the highest corner changes strictly inside of `span`.
     fn turns(&self, span: &Span) -> Vec<Rc<Algebraic>> {
         let turns = self.corners.iter().map(|(turn, _)| turn);
-        turns.filter(|turn| **turn > span.from && **turn < span.to).map(Rc::clone).collect()
+        let is_inside = |turn: &&Rc<Algebraic>| order(turn, &span.from).is_gt() && order(turn, &span.to).is_lt();
+        turns.filter(is_inside).map(Rc::clone).collect()
     }
 }
 

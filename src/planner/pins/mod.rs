@@ -26,6 +26,8 @@ pub struct PinQuestion {
     pub max_pins: Option<usize>,
     /// Whether longer sequences with wider tolerances are wanted.
     pub pareto: bool,
+    /// Whether the curves of the toppling graph are wanted, for drawing.
+    pub curves: bool,
 }
 
 /// Why pins cannot be planned for a part.
@@ -36,7 +38,10 @@ pub enum PinsError {
     #[error("a disc has no edges to rest on")]
     Disc,
     /// The part does not rest on the edge that is wanted at the end.
-    #[error("the part does not rest on edge {edge} of its hull; it rests on {stable:?}")]
+    #[error(
+        "the part does not rest stably on edge {edge} of its hull; the edges on which it does are {}",
+        list(stable)
+    )]
     UnstableEnd {
         /// The edge.
         edge: usize,
@@ -53,10 +58,16 @@ pub enum PinsError {
     },
 }
 
+fn list(edges: &[usize]) -> String {
+    edges.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+}
+
 /// The toppling graph of a part on a conveyor, and the shortest sequence of pins that leaves one orientation.
 ///
-/// What is said of a height holds for all coefficients of friction and places of the center of mass that the case allows:
-/// it is what happens at every corner of their box, while the part rests on the same edges throughout.
+/// What is said of a height holds for all coefficients of friction and places of the center of mass that the case allows,
+/// but for jams: it is what happens at every corner of their box, while the part rests on the same edges throughout. If
+/// moments stop the part at some point of the box, at some turn and height, they do so at a corner: each is linear in each
+/// coefficient, and in the lever of the center of mass about the pivot, with the same value for both where that is zero.
 ///
 /// # Source
 /// Zhang, Goldberg, Smith, Berretty & Overmars (2001), Pin design for part feeding.
@@ -85,7 +96,8 @@ pub fn pins(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<
     let mut orientations = Vec::new();
     let mut edges = Vec::new();
     for edge in stable.iter().copied() {
-        let turns: Vec<Turn> = cases.iter().map(|case| case.toppled(&corners).turn(edge, &signs)).collect();
+        let turns: Vec<Turn> =
+            cases.iter().map(|case| case.toppled(&corners).turn(edge, question.curves, &signs)).collect();
         let next = place(turns[0].next);
         let stretches = overlay(&turns.iter().map(actions).collect::<Vec<_>>());
         orientations.push(to_answer::orientation(edge, &turns, &stretches));
@@ -105,7 +117,7 @@ pub fn pins(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<
 struct Choice {
     center_of_mass: [Q; 2],
     belt_friction: Q,
-    pin_friction: Q,
+    pin_friction: [Q; 2],
 }
 
 impl Choice {
@@ -114,12 +126,13 @@ impl Choice {
             corners,
             center_of_mass: &self.center_of_mass,
             belt_friction: &self.belt_friction,
-            pin_friction: &self.pin_friction,
+            pin_friction: self.pin_friction.each_ref(),
         }
     }
 }
 
-/// The choices at the corners of the box of what is uncertain; what is known has one value.
+/// The choices at the corners of the box of what is uncertain; what is known has one value. With both ends of the friction at
+/// the pin comes the mixture of them that [`Toppled::pin_friction`] explains.
 fn corners_of_box(part: &Part, conveyor: &Conveyor) -> Vec<Choice> {
     let ends = |range: &Range| {
         let mut ends = vec![range.min.clone(), range.max.clone()];
@@ -130,12 +143,15 @@ fn corners_of_box(part: &Part, conveyor: &Conveyor) -> Vec<Choice> {
         let (center, tolerance) = (&part.center_of_mass[axis], &part.center_of_mass_tolerance);
         ends(&Range { min: center - tolerance, max: center + tolerance })
     });
+    let Range { min, max } = &conveyor.pin_friction;
+    let mut pin_frictions = vec![[min, max], [max, max], [min, min]];
+    pin_frictions.dedup();
     let mut choices = Vec::new();
     for belt_friction in ends(&conveyor.belt_friction) {
-        for pin_friction in ends(&conveyor.pin_friction) {
+        for pin_friction in &pin_frictions {
             for center_of_mass in x.iter().flat_map(|x| y.iter().map(|y| [x.clone(), y.clone()])) {
-                let (belt_friction, pin_friction) = (belt_friction.clone(), pin_friction.clone());
-                choices.push(Choice { center_of_mass, belt_friction, pin_friction });
+                let pin_friction = pin_friction.map(Q::clone);
+                choices.push(Choice { center_of_mass, belt_friction: belt_friction.clone(), pin_friction });
             }
         }
     }
