@@ -5,33 +5,40 @@ fn documented_commands_print_what_is_documented() {
     trycmd::TestCases::new().case("tests/cmd/*.trycmd").run();
 }
 
-/// README shows what its first command prints; the binary is the same, the way to start it shorter.
+/// README shows what its commands print; the binary is the same, the way to start it may be shorter.
 #[test]
-fn readme_shows_what_the_plan_prints() {
+fn readme_shows_what_the_plans_print() {
     let readme = include_str!("../README.md");
-    let shown = readme
-        .split_once("$ cargo run --release -- insert cases/pawl.json\n")
-        .and_then(|(_, rest)| rest.split_once("\n$ "))
-        .expect("README starts with the two commands")
-        .0;
-    let run =
-        std::process::Command::new(env!("CARGO_BIN_EXE_plan")).args(["insert", "cases/pawl.json"]).output().unwrap();
-    assert!(run.status.success());
-    assert_eq!(String::from_utf8(run.stdout).unwrap().trim_end(), shown);
+    let examples =
+        [("cargo run --release -- insert", "insert", "pawl", "\n$ "), ("plan pins", "pins", "three_pins", "```")];
+    for (start, command, case, end) in examples {
+        let case = format!("cases/{case}.json");
+        let (_, rest) = readme.split_once(&format!("$ {start} {case}\n")).expect("README shows the command");
+        let (shown, _) = rest.split_once(end).expect("the example ends");
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan")).args([command, &case]).output().unwrap();
+        assert!(run.status.success());
+        assert_eq!(String::from_utf8(run.stdout).unwrap().trim_end(), shown.trim_end());
+    }
 }
 
 #[test]
-fn the_picture_in_readme_is_the_one_drawn_today() {
+fn the_pictures_in_readme_are_those_drawn_today() {
     let folder = std::env::temp_dir().join(format!("plan-readme-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    let drawn = folder.join("pawl.svg");
-    let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan"))
-        .args(["insert", "cases/pawl.json", "--svg"])
-        .arg(&drawn)
-        .output()
-        .unwrap();
-    assert!(run.status.success());
-    assert!(std::fs::read_to_string(&drawn).unwrap() == include_str!("../cases/pawl.svg"), "draw cases/pawl.svg again");
+    let pictures = [
+        ("insert", "pawl", include_str!("../cases/pawl.svg")),
+        ("pins", "three_pins", include_str!("../cases/three_pins.svg")),
+    ];
+    for (command, case, shown) in pictures {
+        let drawn = folder.join("drawn.svg");
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan"))
+            .args([command, &format!("cases/{case}.json"), "--svg"])
+            .arg(&drawn)
+            .output()
+            .unwrap();
+        assert!(run.status.success());
+        assert!(std::fs::read_to_string(&drawn).unwrap() == shown, "draw cases/{case}.svg again");
+    }
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
