@@ -47,7 +47,8 @@ fn case(text: &str) -> Case {
         inertia: q("1"),
     };
     let conveyor = Conveyor { belt_friction: Range::exactly(belt), pin_friction: Range::exactly(pin) };
-    let orientations = planner::pins(&part, &conveyor, &PinQuestion::default()).unwrap().orientations;
+    let orientations =
+        planner::pins(&part, &conveyor, &PinQuestion { curves: true, ..PinQuestion::default() }).unwrap().orientations;
     Case { name: value["name"].as_str().unwrap().to_owned(), hull: corners, com: center, friction, orientations }
 }
 

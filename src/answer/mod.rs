@@ -13,7 +13,7 @@ pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, Nearest
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
 pub use pins::{
-    ActionInterval, Curve, CurveKind, Decisions, HeightQuery, Obstacle, Orientation, Pin, PinAction, PinPlan,
+    ActionInterval, Curve, CurveKind, Decisions, HeightQuery, Margins, Obstacle, Orientation, Pin, PinAction, PinPlan,
     PinSearch, Pins, Symmetry, ToppleInterval, Tradeoff, Wiper,
 };
 pub use polyhedron::{Polyhedron, RowFates};

@@ -2,6 +2,7 @@
 
 use super::Limit;
 use crate::exact::{Algebraic, Q};
+use crate::model::Range;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -152,12 +153,29 @@ pub struct PinPlan {
     pub pareto: Vec<Tradeoff>,
     /// The fewest pins of any sequence, where that is more than were allowed.
     pub needs: Option<usize>,
+    /// How far what the case states may be off; asked for by the user.
+    pub margins: Option<Margins>,
     /// Why there is no sequence.
     pub obstacle: Option<Obstacle>,
     /// How much was searched.
     pub searched: PinSearch,
     /// The limit that ended the search.
     pub limit: Option<Limit>,
+}
+
+/// How far what a case states may be off before the pins fail, each by itself and all else as stated.
+///
+/// What is inside of these limits works; what is outside was not shown to, within a step of the search.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Margins {
+    /// Friction between part and belt.
+    pub belt_friction: Range,
+    /// Friction between part and pin.
+    pub pin_friction: Range,
+    /// Greater multiples of the friction stated were not tried.
+    pub friction_tried: Q,
+    /// Half-width of the square in which the center of mass may lie; an eighth of the part was not exceeded.
+    pub center_of_mass: Q,
 }
 
 /// One pin.

@@ -35,6 +35,10 @@ pub struct Args {
     #[arg(long)]
     pareto: bool,
 
+    /// Also tell how far friction and center of mass may be off before the pins fail, which takes about a second
+    #[arg(long)]
+    margins: bool,
+
     /// Draw the answer into this file
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -75,6 +79,7 @@ impl Args {
             end: self.end,
             max_pins: self.max_pins,
             pareto: self.pareto,
+            margins: self.margins,
             curves: self.svg.is_some(),
         }
     }

@@ -6,6 +6,7 @@ mod closed;
 mod draw;
 mod expected;
 mod extreme;
+mod margins;
 mod oracle;
 mod properties;
 mod public;

@@ -36,7 +36,13 @@ impl Height {
     /// No height.
     #[must_use]
     pub fn zero() -> Self {
-        let curve = Curve::new(Polynomial::default(), Z::one(), 0);
+        Self::rational(&Q::zero())
+    }
+
+    /// A rational height, not negative.
+    #[must_use]
+    pub fn rational(height: &Q) -> Self {
+        let curve = Curve::new(Polynomial::new(vec![height.numer().clone()]), height.denom().clone(), 0);
         Self::of(&Rc::new(curve), &Rc::new(Q::zero().into()))
     }
 

@@ -1,6 +1,7 @@
 //! Pins over a conveyor that turn every orientation of a part into one.
 
 mod graph;
+mod margins;
 mod outcome;
 mod search;
 mod to_answer;
@@ -11,6 +12,7 @@ use crate::geometry::symmetry_shift;
 use crate::mechanics::toppling::{Signs, Toppled, Turn};
 use crate::model::{Conveyor, Part, Range, Shape};
 use graph::{actions, overlay};
+use margins::Planned;
 use outcome::{Actions, bands, followed};
 use search::{Wanted, plan};
 use std::collections::BTreeMap;
@@ -26,6 +28,8 @@ pub struct PinQuestion {
     pub max_pins: Option<usize>,
     /// Whether longer sequences with wider tolerances are wanted.
     pub pareto: bool,
+    /// Whether it is wanted how far what the case states may be off.
+    pub margins: bool,
     /// Whether the curves of the toppling graph are wanted, for drawing.
     pub curves: bool,
 }
@@ -104,7 +108,11 @@ pub fn pins(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<
         edges.push(Actions { next, stretches });
     }
     let wanted = Wanted { end: question.end, max_pins: question.max_pins, pareto: question.pareto };
-    let plan = plan(&stable, &symmetry, &bands(&edges), &wanted, &mut || false);
+    let mut plan = plan(&stable, &symmetry, &bands(&edges), &wanted, &mut || false);
+    if let Some(sequence) = plan.sequence.as_ref().filter(|_| question.margins) {
+        let planned = Planned { part, conveyor, outline, corners: &corners, stable: &stable, sequence };
+        plan.margins = Some(planned.margins());
+    }
     let queries = question.heights.iter().map(|height| query(height, &orientations, &edges, &stable)).collect();
     let decisions = Decisions {
         filtered: signs.counter.n_filtered() + signs.filter.n_settled(),

@@ -120,6 +120,14 @@ fn plan(plan: &PinPlan) -> Value {
         let rows = plan.pareto.iter().map(|row| json!({ "pins": row.pins, "tolerance": rational(&row.tolerance) }));
         value["pareto"] = rows.collect();
     }
+    if let Some(margins) = &plan.margins {
+        value["margins"] = json!({
+            "belt_friction": range(&margins.belt_friction),
+            "pin_friction": range(&margins.pin_friction),
+            "friction_tried": rational(&margins.friction_tried),
+            "center_of_mass": rational(&margins.center_of_mass),
+        });
+    }
     value
 }
 

@@ -4,7 +4,9 @@ use super::super::decimal::{self, Span};
 use super::super::{Ride, height, phrase};
 use super::lines::Report;
 use super::orientation;
-use crate::answer::{Obstacle, Pin, PinPlan, Pins, Wiper};
+use crate::answer::{Margins, Obstacle, Pin, PinPlan, Pins, Wiper};
+use crate::exact::Algebraic;
+use crate::model::Range;
 use num_traits::Zero as _;
 use std::collections::BTreeMap;
 
@@ -17,6 +19,9 @@ pub fn pins(ride: &Ride, answer: &Pins) -> String {
     let plan = &answer.plan;
     let mut report = Report::new(&phrase::pins(ride, answer));
     table(&mut report, ride, plan.sequence.as_deref().unwrap_or_default());
+    if let Some(margins) = &plan.margins {
+        report.line("margins", &bounds(ride, margins));
+    }
     tradeoffs(&mut report, ride, plan);
     if let Some(obstacle) = &plan.obstacle {
         explain(&mut report, ride, answer, obstacle);
@@ -75,6 +80,25 @@ fn turns(outcome: &BTreeMap<usize, usize>) -> String {
         (false, true) => format!("turns {}", turned.join("; ")),
         (false, false) => format!("turns {}; leaves {kept}", turned.join("; ")),
     }
+}
+
+/// How far what the case states may be off.
+fn bounds(ride: &Ride, margins: &Margins) -> String {
+    let friction = |name: &str, found: &Range, given: &Range| {
+        let (min, max) = (Algebraic::from(found.min.clone()), Algebraic::from(found.max.clone()));
+        let is_all = found.max == &given.max * &margins.friction_tried;
+        match decimal::heights(&min, &max) {
+            Span::Between(min, max) => format!("{name} {min} to {max}{}", if is_all { " and more" } else { "" }),
+            Span::Single(at) => format!("{name} {at}"),
+        }
+    };
+    format!(
+        "{}; {}; center of mass ±{} {}: each by itself",
+        friction("belt", &margins.belt_friction, &ride.conveyor.belt_friction),
+        friction("pins", &margins.pin_friction, &ride.conveyor.pin_friction),
+        decimal::root_at_least(&(&margins.center_of_mass * &margins.center_of_mass)),
+        ride.part.unit.symbol()
+    )
 }
 
 fn tradeoffs(report: &mut Report, ride: &Ride, plan: &PinPlan) {

@@ -1,0 +1,69 @@
+//! How far friction and center of mass may be off: what is said works, exactly, and a little more does not.
+
+use crate::public::{Public, public};
+use partplan::answer::{Margins, PinAction, Pins};
+use partplan::exact::{Q, ratio};
+use partplan::model::Range;
+use partplan::planner::{PinQuestion, pins};
+
+fn planned(case: &Public, margins: bool) -> Pins {
+    pins(&case.part, &case.conveyor, &PinQuestion { margins, ..PinQuestion::default() }).expect("the part rests")
+}
+
+/// Whether the pins planned for one case do the same in another.
+fn works(plan: &Pins, other: &Pins) -> bool {
+    plan.plan.sequence.iter().flatten().all(|pin| {
+        let end = |start: usize| {
+            let mut at = start;
+            for _ in 0..=other.stable.len() {
+                let orientation = other.orientations.iter().find(|orientation| orientation.edge == at)?;
+                match orientation.action_at(&pin.height).0? {
+                    PinAction::PassUnder | PinAction::FallBack => return Some(at),
+                    PinAction::Pass => return Some(orientation.next),
+                    PinAction::Repeat => at = orientation.next,
+                    PinAction::Jam => return None,
+                }
+            }
+            None
+        };
+        pin.outcome.iter().all(|(from, to)| end(*from) == Some(*to))
+    })
+}
+
+/// The case with other friction and center of mass.
+fn shifted(belt: &Q, pin: &Q, shift: [&Q; 2]) -> Public {
+    let mut case = public("three_pins");
+    case.conveyor.belt_friction = Range::exactly(belt.clone());
+    case.conveyor.pin_friction = Range::exactly(pin.clone());
+    case.part.center_of_mass.iter_mut().zip(shift).for_each(|(at, by)| *at += by);
+    case
+}
+
+#[test]
+fn all_that_the_margins_allow_works_and_a_step_more_does_not() {
+    let plan = planned(&public("three_pins"), true);
+    let Some(Margins { belt_friction, pin_friction, friction_tried, center_of_mass }) = &plan.plan.margins else {
+        panic!("margins were asked for")
+    };
+    let (zero, belt, pin) = (ratio(0, 1), ratio(20, 1), ratio(1, 20));
+    assert!(belt_friction.min < belt && belt < belt_friction.max && pin_friction.min < pin && pin < pin_friction.max);
+    assert!(center_of_mass > &zero);
+    let is_kept = |belt: &Q, pin: &Q, shift: [&Q; 2]| works(&plan, &planned(&shifted(belt, pin, shift), false));
+    for share in (0..=4).map(|share| ratio(share, 4)) {
+        let within = |range: &Range| &range.min + (&range.max - &range.min) * &share;
+        assert!(is_kept(&within(belt_friction), &pin, [&zero, &zero]), "belt {share}");
+        assert!(is_kept(&belt, &within(pin_friction), [&zero, &zero]), "pin {share}");
+        let off = center_of_mass * (&share * ratio(2, 1) - ratio(1, 1));
+        for shift in [[&off, center_of_mass], [center_of_mass, &off], [&off, &-center_of_mass]] {
+            assert!(is_kept(&belt, &pin, shift), "center {shift:?}");
+        }
+    }
+    // steps of the search: a 64th and a 16th of the friction, a 4096th of the part
+    let step = |given: &Q, parts: i64| given * ratio(1, parts);
+    assert!(belt_friction.min < step(&belt, 64) || !is_kept(&(&belt_friction.min - step(&belt, 64)), &pin, [&zero; 2]));
+    assert_eq!(belt_friction.max, &belt * friction_tried);
+    assert!(!is_kept(&belt, &(&pin_friction.max + step(&pin, 16)), [&zero; 2]));
+    let wider = center_of_mass + ratio(6, 4096);
+    let corners = [[&wider, &wider], [&wider, &-&wider], [&-&wider, &wider], [&-&wider, &-&wider]];
+    assert!(corners.into_iter().any(|shift| !is_kept(&belt, &pin, shift)));
+}
