@@ -46,13 +46,27 @@ pub(super) fn algebraic(value: &Algebraic) -> Value {
 /// `value` is a decimal for those who need no more: a number, the double nearest to the root or next to that; what is
 /// exact is the root of `polynomial`, coefficients from the constant on, between `lower` and `upper`.
 pub(super) fn root(value: &Algebraic, width: &Q) -> Value {
-    let [lower, upper] = value.enclosure(width);
+    let [lower, upper] = short_bounds(value, width);
     json!({
         "value": value.to_f64(),
         "lower": rational(&lower),
         "upper": rational(&upper),
         "polynomial": integers(value.polynomial().coefficients()),
     })
+}
+
+/// Decimals about the root where these isolate it as well as bounds with any denominator.
+fn short_bounds(value: &Algebraic, width: &Q) -> [Q; 2] {
+    let bounds = value.enclosure(&(width / Q::from(Z::from(2))));
+    let mut step = Q::from(Z::from(1));
+    while &step * Q::from(Z::from(4)) > *width {
+        step /= Q::from(Z::from(10));
+    }
+    let [lower, upper] = &bounds;
+    let short = [(lower / &step).floor() * &step, (upper / &step).ceil() * &step];
+    let [lower, upper] = short.each_ref();
+    let roots = value.polynomial().real_roots(lower.clone()..=upper.clone()).unwrap_or_default();
+    if roots.len() == 1 && roots[0] > *lower && roots[0] < *upper { short } else { bounds }
 }
 
 pub(super) fn integers(row: &[Z]) -> Value {
