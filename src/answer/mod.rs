@@ -13,8 +13,8 @@ pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, Nearest
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
 pub use pins::{
-    ActionInterval, Curve, CurveKind, Decisions, HeightQuery, Margins, Obstacle, Orientation, Pin, PinAction, PinPlan,
-    PinSearch, Pins, Symmetry, ToppleInterval, Tradeoff, Wiper,
+    ActionInterval, Curve, CurveKind, Decisions, HeightQuery, Margins, Obstacle, Orientation, OtherFriction, Pin,
+    PinAction, PinPlan, PinSearch, Pins, Symmetry, ToppleInterval, Tradeoff, Wiper,
 };
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};

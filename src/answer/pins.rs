@@ -215,6 +215,19 @@ pub struct Obstacle {
     pub never_moved: Vec<usize>,
     /// What would help: orientations to be taken off the belt.
     pub wiper: Option<Wiper>,
+    /// What would help: other friction.
+    pub friction: Option<OtherFriction>,
+}
+
+/// Friction for which there is a sequence of pins.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OtherFriction {
+    /// Between part and belt.
+    pub belt_friction: Range,
+    /// Between part and pin; zero for pins that roll freely.
+    pub pin_friction: Range,
+    /// How many pins are then needed.
+    pub pins: usize,
 }
 
 /// A wiper that takes orientations off the belt.

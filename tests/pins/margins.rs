@@ -30,6 +30,23 @@ fn works(plan: &Pins, other: &Pins) -> bool {
     })
 }
 
+/// Rough pins jam what smooth ones turn, and so does a slippery belt.
+#[test]
+fn other_friction_is_proposed_where_it_helps_and_works() {
+    let zero = ratio(0, 1);
+    for (belt, pin, other) in [(20, ratio(2, 5), ratio(20, 1)), (0, zero.clone(), ratio(3, 1))] {
+        let belt = if belt == 0 { ratio(3, 10) } else { ratio(belt, 1) };
+        let plan = planned(&shifted(&belt, &pin, [&zero; 2]), false).plan;
+        assert!(plan.sequence.is_none());
+        let proposed = plan.obstacle.and_then(|obstacle| obstacle.friction).expect("other friction helps");
+        assert_eq!((&proposed.belt_friction.min, &proposed.pin_friction.max), (&other, &zero));
+        let helped = planned(&shifted(&other, &zero, [&zero; 2]), false).plan;
+        assert_eq!(helped.sequence.map(|sequence| sequence.len()), Some(proposed.pins));
+    }
+    let plan = planned(&public("kite"), false).plan;
+    assert_eq!(plan.obstacle.expect("a kite cannot be turned").friction, None);
+}
+
 /// The case with other friction and center of mass.
 fn shifted(belt: &Q, pin: &Q, shift: [&Q; 2]) -> Public {
     let mut case = public("three_pins");

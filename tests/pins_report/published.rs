@@ -167,6 +167,7 @@ fn plan(expected: &Value, orientations: &[Orientation]) -> PinPlan {
             inseparable_pairs: pairs.collect(),
             never_moved: edges(&plan["never_moved"]),
             wiper: None,
+            friction: None,
         };
         return PinPlan { obstacle: Some(obstacle), searched, ..PinPlan::default() };
     }

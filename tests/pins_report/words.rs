@@ -157,7 +157,7 @@ fn a_wiper_is_proposed_with_its_pins_and_yield() {
     obstacle.wiper = Some(Wiper { pins, discarded: vec![2], kept: 0, yielding: 2 });
     let text = words(&published);
     let proposed =
-        "1 pin and behind them a wiper that takes edge 2 off the belt: edge 0 is left, 2 of 5 orientations end there";
+        "1 pin and behind it a wiper that takes edge 2 off the belt: edge 0 is left, 2 of 5 orientations end there";
     assert_eq!(after(&text, "try"), proposed);
     assert_eq!(rows(&text).len(), 1);
     published.answer.plan.obstacle.as_mut().unwrap().wiper.as_mut().unwrap().pins.clear();

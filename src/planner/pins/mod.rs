@@ -6,13 +6,14 @@ mod outcome;
 mod search;
 mod to_answer;
 
-use crate::answer::{Decisions, HeightQuery, Orientation, PinAction, Pins, Symmetry};
-use crate::exact::Q;
+use crate::answer::{Decisions, HeightQuery, Orientation, OtherFriction, PinAction, Pins, Symmetry};
+use crate::exact::{Q, ratio};
 use crate::geometry::symmetry_shift;
 use crate::mechanics::toppling::{Signs, Toppled, Turn};
 use crate::model::{Conveyor, Part, Range, Shape};
 use graph::{actions, overlay};
 use margins::Planned;
+use num_traits::Zero as _;
 use outcome::{Actions, bands, followed};
 use search::{Wanted, plan};
 use std::collections::BTreeMap;
@@ -82,6 +83,27 @@ fn list(edges: &[usize]) -> String {
 /// # Errors
 /// [`PinsError`] if the part or the question is not one that pins can be planned for.
 pub fn pins(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<Pins, PinsError> {
+    let mut answer = planned(part, conveyor, question)?;
+    if let Some(obstacle) = &mut answer.plan.obstacle {
+        obstacle.friction = other_friction(part, conveyor, question)?;
+    }
+    Ok(answer)
+}
+
+/// Pins that roll freely, or with such pins ten times the friction on the belt, if there is a sequence then.
+fn other_friction(part: &Part, given: &Conveyor, question: &PinQuestion) -> Result<Option<OtherFriction>, PinsError> {
+    let free = Range::exactly(Q::zero());
+    let Conveyor { belt_friction, pin_friction } = given;
+    let belt_friction =
+        if *pin_friction == free { Range::exactly(&belt_friction.min * ratio(10, 1)) } else { belt_friction.clone() };
+    let conveyor = Conveyor { belt_friction, pin_friction: free };
+    let question = PinQuestion { end: question.end, ..PinQuestion::default() };
+    let sequence = planned(part, &conveyor, &question)?.plan.sequence;
+    let Conveyor { belt_friction, pin_friction } = conveyor;
+    Ok(sequence.map(|sequence| OtherFriction { belt_friction, pin_friction, pins: sequence.len() }))
+}
+
+fn planned(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<Pins, PinsError> {
     let Shape::Polygon(outline) = &part.shape else { return Err(PinsError::Disc) };
     let corners: Vec<[Q; 2]> = outline.hull().into_iter().map(|corner| outline.vertices()[corner].clone()).collect();
     let cases = corners_of_box(part, conveyor);

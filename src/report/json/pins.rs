@@ -4,7 +4,7 @@ use super::super::Ride;
 use super::envelope_of;
 use super::number::{algebraic, range, rational, rationals};
 use crate::answer::{
-    ActionInterval, HeightQuery, Limit, Obstacle, Orientation, Pin, PinAction, PinPlan, PinSearch, Pins,
+    ActionInterval, HeightQuery, Limit, Obstacle, Orientation, OtherFriction, Pin, PinAction, PinPlan, PinSearch, Pins,
     ToppleInterval, Wiper,
 };
 use crate::exact::Algebraic;
@@ -104,6 +104,7 @@ fn plan(plan: &PinPlan) -> Value {
         "inseparable_pairs": of(|obstacle| json!(obstacle.inseparable_pairs)),
         "never_moved": of(|obstacle| json!(obstacle.never_moved)),
         "wiper": obstacle.and_then(|obstacle| obstacle.wiper.as_ref()).map(wiper),
+        "other_friction": obstacle.and_then(|obstacle| obstacle.friction.as_ref()).map(other_friction),
         "searched": {
             "height_classes": height_classes,
             "distinct_outcome_maps": distinct_outcome_maps,
@@ -149,6 +150,14 @@ fn wiper(wiper: &Wiper) -> Value {
         "discarded": wiper.discarded,
         "kept": wiper.kept,
         "yielding": wiper.yielding,
+    })
+}
+
+fn other_friction(other: &OtherFriction) -> Value {
+    json!({
+        "belt_friction": range(&other.belt_friction),
+        "pin_friction": range(&other.pin_friction),
+        "pins": other.pins,
     })
 }
 

@@ -134,8 +134,22 @@ fn explain(report: &mut Report, ride: &Ride, answer: &Pins, obstacle: &Obstacle)
         let never = edges(&obstacle.never_moved);
         report.line("never moved", &format!("{never}: no pin moves them without jamming what may come along"));
     }
+    if let Some(other) = &obstacle.friction {
+        let belt = match other.belt_friction == ride.conveyor.belt_friction {
+            true => String::new(),
+            false => format!(" and belt friction {}", phrase::range(&other.belt_friction)),
+        };
+        let most = phrase::count(other.pins, "pin");
+        report.line(
+            "try",
+            &format!(
+                "pins that roll freely{belt}: then {most} turn{} the part",
+                if other.pins == 1 { "s" } else { "" }
+            ),
+        );
+    }
     if let Some(wiper) = &obstacle.wiper {
-        report.line("try", &wipe(answer, wiper));
+        report.line(if obstacle.friction.is_some() { "or" } else { "try" }, &wipe(answer, wiper));
         table(report, ride, &wiper.pins);
     }
 }
@@ -164,7 +178,8 @@ fn partners(pairs: &[[usize; 2]]) -> Vec<String> {
 fn wipe(answer: &Pins, wiper: &Wiper) -> String {
     let behind = match wiper.pins.len() {
         0 => "a wiper".to_owned(),
-        n => format!("{} and behind them a wiper", phrase::count(n, "pin")),
+        1 => "1 pin and behind it a wiper".to_owned(),
+        n => format!("{n} pins and behind them a wiper"),
     };
     format!(
         "{behind} that takes {} off the belt: edge {} is left, {} of {} orientations end there",

@@ -17,6 +17,7 @@ pub(super) fn of(task: &Task, found: &Found, inseparable_pairs: Vec<[usize; 2]>)
         inseparable_pairs,
         never_moved: never_moved.map(|place| task.edge(place)).collect(),
         wiper: None,
+        friction: None,
     }
 }
 
