@@ -25,18 +25,6 @@ pub(super) fn along_edge(length2: &Q, interval: &Interval) -> Span {
     Span::Between(step.show(&low), step.show(&high))
 }
 
-/// The heights strictly between two.
-pub(super) fn heights(low: &Algebraic, high: &Algebraic) -> Span {
-    let near = (low.to_f64() + high.to_f64()) / 2.0;
-    let Some(step) = Step::hundredth_of(high.to_f64() - low.to_f64()) else { return Span::Single(self::near(near, 6)) };
-    let width = step.size() / Q::from(Z::from(1000));
-    let ([_, low], [high, _]) = (low.enclosure(&width), high.enclosure(&width));
-    Span::Between(
-        step.show(&step.root_above(&(&low * &low), false)),
-        step.show(&step.root_below(&(&high * &high), false)),
-    )
-}
-
 /// A distance along an edge near `s` with as many places as [`along_edge`] gives the ends of `interval`.
 pub(super) fn place_on_edge(length2: &Q, interval: &Interval, s: &Q) -> String {
     let length = to_f64(length2).sqrt();

@@ -87,7 +87,7 @@ fn bounds(ride: &Ride, margins: &Margins) -> String {
     let friction = |name: &str, found: &Range, given: &Range| {
         let (min, max) = (Algebraic::from(found.min.clone()), Algebraic::from(found.max.clone()));
         let is_all = found.max == &given.max * &margins.friction_tried;
-        match decimal::heights(&min, &max) {
+        match height::between(&min, &max) {
             Span::Between(min, max) => format!("{name} {min} to {max}{}", if is_all { " and more" } else { "" }),
             Span::Single(at) => format!("{name} {at}"),
         }

@@ -5,7 +5,7 @@ use super::super::legend::Swatch;
 use super::pose::{Pose, key};
 use super::{PAGE, Picture, SIDE, Setting, row_length};
 use crate::answer::{Orientation, Pin};
-use crate::report::decimal;
+use crate::report::{decimal, height};
 
 /// Room for the part with its numbers.
 const KEY: f64 = 210.0;
@@ -128,7 +128,7 @@ fn name(canvas: &mut Canvas, setting: &Setting, at: At, index: usize, pin: &Pin)
     canvas.text(at, Align::Middle, 12.0, INK, true, &format!("pin {}", index + 1));
     let place = format!("{height} {unit} \u{b1} {tolerance} {unit}");
     canvas.text(At::new(at.x, at.y + 15.0), Align::Middle, 12.0, INK, false, &place);
-    let same = match decimal::heights(&pin.low, &pin.high) {
+    let same = match height::between(&pin.low, &pin.high) {
         decimal::Span::Between(low, high) => format!("{low} to {high} {unit}"),
         decimal::Span::Single(_) => return,
     };
