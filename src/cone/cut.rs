@@ -32,20 +32,9 @@ pub(super) struct Cut<T> {
 /// # Errors
 /// [`Overflow`] if a primitive row does not fit `T`.
 pub(super) fn cut_space<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>) -> Result<Cut<T>, Overflow> {
-    match cut(equalities, normals, &mut by_either) {
-        Ok(cut) => Ok(cut),
-        Err(Stop::Overflow) => Err(Overflow),
-        Err(Stop::Effort) => unreachable!("effort is not limited"),
-    }
-}
-
-/// Finds the faces of a pointed cone of normals of full rank.
-type Method<'a, T> = dyn FnMut(&Matrix<T>, Simplex<T>) -> Result<Faces<T>, Stop> + 'a;
-
-fn cut<T: Int>(equalities: &Matrix<T>, normals: &Matrix<T>, method: &mut Method<T>) -> Result<Cut<T>, Stop> {
     let mut equalities = echelon(equalities)?;
     let normals = distinct(&equalities, normals)?;
-    let (lines, Faces { flat, facets, rays }) = lines_and_faces(&equalities, &normals, method)?;
+    let (lines, Faces { flat, facets, rays }) = lines_and_faces(&equalities, &normals)?;
     let chosen = |rows: Vec<usize>| Matrix::from_rows(normals.columns(), rows.into_iter().map(|row| normals.row(row)));
     let mut facets = chosen(facets);
     if !flat.is_empty() {
@@ -84,22 +73,18 @@ fn by_magnitude<T: Int>(a: &T, b: &T) -> Ordering {
     }
 }
 
-fn lines_and_faces<T: Int>(
-    equalities: &Echelon<T>,
-    rows: &Matrix<T>,
-    method: &mut Method<T>,
-) -> Result<(Matrix<T>, Faces<T>), Stop> {
+fn lines_and_faces<T: Int>(equalities: &Echelon<T>, rows: &Matrix<T>) -> Result<(Matrix<T>, Faces<T>), Overflow> {
     let outer = Frame::without_pivots(equalities);
     let normals = outer.restricted(rows);
     let Start { lines, rays, basis } = absorb_lines(&normals)?;
     if lines.pivots.is_empty() {
-        let mut faces = method(&normals, Simplex { rays, basis })?;
+        let mut faces = pointed_faces(&normals, Simplex { rays, basis })?;
         faces.rays = outer.lifted(&faces.rays)?;
         return Ok((Matrix::new(rows.columns()), faces));
     }
     let inner = Frame::without_pivots(&lines);
     let start = Simplex { rays: inner.restricted(&rays), basis };
-    let mut faces = method(&inner.restricted(&normals), start)?;
+    let mut faces = pointed_faces(&inner.restricted(&normals), start)?;
     faces.rays = inner.padded(&faces.rays);
     if equalities.pivots.is_empty() {
         return Ok((lines.rows, faces));
@@ -113,15 +98,19 @@ fn lines_and_faces<T: Int>(
 /// Effort after which the primal-dual method is tried as well, each time for as much as double description has taken.
 const EASY: u64 = 1 << 18;
 
-/// By double description, unless that takes long and the primal-dual method ends with far less effort.
+/// Of the cone of normals of full rank: by double description, unless that takes long and the primal-dual method ends with
+/// far less effort.
 ///
 /// The choice depends on counts alone, so that it is the same in every run. Between them the two take
 /// no more than about three times the effort of double description.
-fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<Faces<T>, Stop> {
+fn pointed_faces<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<Faces<T>, Overflow> {
+    if start.basis.len() == 3 {
+        return faces(normals);
+    }
     let may_have_few_rays = start.basis.len() > 3;
     let mut other: Option<Option<PrimalDual<T>>> = None;
     let mut answer = None;
-    let found = by_description(normals, start, EASY, &mut |allowed| {
+    let found = describe(start, normals, EASY, &mut |allowed| {
         if may_have_few_rays {
             let other = match &mut other {
                 Some(other) => other,
@@ -133,23 +122,11 @@ fn by_either<T: Int>(normals: &Matrix<T>, start: Simplex<T>) -> Result<Faces<T>,
         }
         if answer.is_some() { Err(Stop::Effort) } else { Ok(2 * allowed) }
     });
-    match (found, answer) {
-        (Err(Stop::Effort), Some(answer)) => Ok(answer),
-        (found, _) => found,
-    }
-}
-
-/// By double description.
-fn by_description<T: Int>(
-    normals: &Matrix<T>,
-    start: Simplex<T>,
-    allowed: u64,
-    allow: &mut dyn FnMut(u64) -> Result<u64, Stop>,
-) -> Result<Faces<T>, Stop> {
-    if start.basis.len() == 3 {
-        return Ok(faces(normals)?);
-    }
-    let found = describe(start, normals, allowed, allow)?;
+    let found = match found {
+        Ok(found) => found,
+        Err(Stop::Overflow) => return Err(Overflow),
+        Err(Stop::Effort) => return Ok(answer.expect("effort is limited only by an answer")),
+    };
     let (flat, facets) = flat_and_facets(&found.on.transposed(found.cuts.len()), found.rays.len());
     let [flat, facets] = [flat, facets].map(|places| places.into_iter().map(|cut| found.cuts[cut]).collect());
     Ok(Faces { flat, facets, rays: found.rays })
