@@ -127,8 +127,12 @@ pub(crate) fn all(universe: usize) -> Set {
     words
 }
 
-pub(super) fn intersect(a: &[u64], b: &[u64]) -> Set {
+pub(crate) fn intersect(a: &[u64], b: &[u64]) -> Set {
     a.iter().zip(b).map(|(x, y)| x & y).collect()
+}
+
+pub(crate) fn union(a: &[u64], b: &[u64]) -> Set {
+    a.iter().zip(b).map(|(x, y)| x | y).collect()
 }
 
 #[inline(always)]

@@ -133,12 +133,11 @@ impl Walk {
         self.turned += degrees(&span);
     }
 
-    fn draw(&mut self, part: &Toppled, pivoting: &Pivoting, edges: &[Edge], [rolling, settling]: [&Span; 2]) {
+    fn draw(&mut self, part: &Toppled, pivoting: &Pivoting, edges: &[Edge], phases: [&Span; 2]) {
         let n = part.corners.len();
         let names = edges.iter().map(|edge| (pivoting.pivot + edge.place()) % n);
         let sketched = Sketched { pivoting, edges, names: names.collect(), turned: self.turned };
-        let later = rolling.since(&rolling.to);
-        self.sketch.add(&sketched, [rolling, if self.theta_t.is_some() { settling } else { &later }]);
+        self.sketch.add(&sketched, phases);
     }
 
     /// Jams count until the part is lost: at a turn, for pins no higher than the part ever was before.

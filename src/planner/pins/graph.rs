@@ -41,21 +41,15 @@ pub(super) fn actions(turn: &Turn) -> Vec<Stretch<PinAction>> {
         }
     };
     let mut stretches: Vec<Stretch<PinAction>> = Vec::new();
-    for (index, end) in ends.iter().enumerate().filter(|(_, end)| **end >= zero) {
+    for (index, end) in ends.iter().enumerate() {
         let next = ends.get(index + 1);
-        if *end > zero && action(end, end) == PinAction::Jam && end < height {
+        if *end > zero && action(end, end) == PinAction::Jam {
             push(&mut stretches, Stretch { from: end.clone(), to: Some(end.clone()), action: PinAction::Jam });
         }
         let after = next.map_or(PinAction::PassUnder, |next| action(end, next));
         push(&mut stretches, Stretch { from: end.clone(), to: next.cloned(), action: after });
     }
-    let is_idle = |stretches: &[Stretch<PinAction>], index: usize| {
-        let is_point = stretches[index].to.as_ref() == Some(&stretches[index].from);
-        let is_jam = |index: usize| stretches.get(index).is_some_and(|next| next.action == PinAction::Jam);
-        is_point && (is_jam(index + 1) || index.checked_sub(1).is_some_and(is_jam))
-    };
-    let kept: Vec<usize> = (0..stretches.len()).filter(|index| !is_idle(&stretches, *index)).collect();
-    kept.into_iter().map(|index| stretches[index].clone()).collect()
+    stretches
 }
 
 /// Appends a stretch, or lengthens the last one with the same action.

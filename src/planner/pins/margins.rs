@@ -1,12 +1,11 @@
 //! How far what a case states may be off before a sequence of pins fails.
 
-use super::graph::{Stretch, actions};
-use super::outcome::{Actions, followed};
-use super::{corners_of_box, stable_edges};
+use super::conveyed::Conveyed;
+use super::outcome::followed;
 use crate::answer::{Margins, Pin, PinAction};
 use crate::exact::{Q, ratio};
 use crate::geometry::Polygon;
-use crate::mechanics::toppling::{Height, Signs};
+use crate::mechanics::toppling::Height;
 use crate::model::{Conveyor, Part, Range};
 use num_traits::Zero as _;
 
@@ -24,7 +23,6 @@ pub(super) struct Planned<'a> {
     pub(super) part: &'a Part,
     pub(super) conveyor: &'a Conveyor,
     pub(super) outline: &'a Polygon,
-    pub(super) corners: &'a [[Q; 2]],
     pub(super) stable: &'a [usize],
     pub(super) sequence: &'a [Pin],
 }
@@ -62,43 +60,19 @@ impl Planned<'_> {
 
     /// Whether each pin does to all orientations that may come what is planned.
     fn works(&self, part: &Part, conveyor: &Conveyor) -> bool {
-        let choices = corners_of_box(part, conveyor);
-        let centers: Vec<[Q; 2]> = choices.iter().map(|choice| choice.center_of_mass.clone()).collect();
-        if !self.outline.hull_contains_all(&centers)
-            || stable_edges(self.corners, &choices).as_deref() != Ok(self.stable)
-        {
+        let Ok(conveyed) = Conveyed::of(part, conveyor) else { return false };
+        if conveyed.stable != self.stable || !conveyed.holds_its_center() {
             return false;
         }
-        let signs = Signs::default();
-        let mut edges = Vec::new();
-        let mut stretches = Vec::new();
-        for edge in self.stable {
-            let turns = choices.iter().map(|choice| choice.toppled(self.corners).turn(*edge, false, &signs));
-            let turns: Vec<_> = turns.collect();
-            let next = self.stable.iter().position(|stable| *stable == turns[0].next).expect("turns end stably");
-            edges.push(Actions { next, stretches: Vec::new() });
-            stretches.push(turns.iter().map(actions).collect::<Vec<_>>());
-        }
+        let edges = conveyed.edges();
+        let place = |edge: usize| self.stable.iter().position(|stable| *stable == edge);
         self.sequence.iter().all(|pin| {
             let height = Height::rational(&pin.height);
-            let actions: Vec<Option<PinAction>> = stretches.iter().map(|cases| agreed(cases, &height)).collect();
-            pin.outcome.iter().all(|(edge, end)| {
-                let place = self.stable.iter().position(|stable| stable == edge).expect("pins meet stable edges");
-                followed(&edges, &actions, place).map(|place| self.stable[place]) == Some(*end)
-            })
+            let actions: Vec<Option<PinAction>> = edges.iter().map(|edge| edge.around(&height)).collect();
+            let ends_at = |edge: usize| followed(&edges, &actions, place(edge)?).map(|place| self.stable[place]);
+            pin.outcome.iter().all(|(edge, end)| ends_at(*edge) == Some(*end))
         })
     }
-}
-
-/// What all cases do at a height that is critical for none of them.
-fn agreed(cases: &[Vec<Stretch<PinAction>>], height: &Height) -> Option<PinAction> {
-    let mut actions = cases.iter().map(|stretches| {
-        let is_inside =
-            |stretch: &&Stretch<PinAction>| stretch.from < *height && stretch.to.as_ref().is_none_or(|to| to > height);
-        stretches.iter().find(is_inside).map(|stretch| stretch.action)
-    });
-    let first = actions.next().flatten()?;
-    actions.all(|action| action == Some(first)).then_some(first)
 }
 
 /// The last of the steps up to `most` at which `is_kept`, which holds at zero and never again once it fails.

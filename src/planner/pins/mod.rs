@@ -1,22 +1,20 @@
 //! Pins over a conveyor that turn every orientation of a part into one.
 
+mod conveyed;
 mod graph;
 mod margins;
 mod outcome;
 mod search;
 mod to_answer;
 
-use crate::answer::{Decisions, HeightQuery, Orientation, OtherFriction, PinAction, Pins, Symmetry};
+use crate::answer::{HeightQuery, Orientation, OtherFriction, PinAction, Pins};
 use crate::exact::{Q, ratio};
-use crate::geometry::symmetry_shift;
-use crate::mechanics::toppling::{Signs, Toppled, Turn};
-use crate::model::{Conveyor, Part, Range, Shape};
-use graph::{actions, overlay};
+use crate::model::{Conveyor, Part, Range};
+use conveyed::Conveyed;
 use margins::Planned;
 use num_traits::Zero as _;
-use outcome::{Actions, bands, followed};
-use search::{Wanted, plan};
-use std::collections::BTreeMap;
+use outcome::{Actions, followed};
+use search::Wanted;
 
 /// What is asked of [`pins`].
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -83,134 +81,48 @@ fn list(edges: &[usize]) -> String {
 /// # Errors
 /// [`PinsError`] if the part or the question is not one that pins can be planned for.
 pub fn pins(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<Pins, PinsError> {
-    let mut answer = planned(part, conveyor, question)?;
-    if let Some(obstacle) = &mut answer.plan.obstacle {
-        obstacle.friction = other_friction(part, conveyor, question)?;
-    }
-    Ok(answer)
-}
-
-/// Pins that roll freely, or with such pins ten times the friction on the belt, if there is a sequence then.
-fn other_friction(part: &Part, given: &Conveyor, question: &PinQuestion) -> Result<Option<OtherFriction>, PinsError> {
-    let free = Range::exactly(Q::zero());
-    let Conveyor { belt_friction, pin_friction } = given;
-    let belt_friction =
-        if *pin_friction == free { Range::exactly(&belt_friction.min * ratio(10, 1)) } else { belt_friction.clone() };
-    let conveyor = Conveyor { belt_friction, pin_friction: free };
-    let question = PinQuestion { end: question.end, ..PinQuestion::default() };
-    let sequence = planned(part, &conveyor, &question)?.plan.sequence;
-    let Conveyor { belt_friction, pin_friction } = conveyor;
-    Ok(sequence.map(|sequence| OtherFriction { belt_friction, pin_friction, pins: sequence.len() }))
-}
-
-fn planned(part: &Part, conveyor: &Conveyor, question: &PinQuestion) -> Result<Pins, PinsError> {
-    let Shape::Polygon(outline) = &part.shape else { return Err(PinsError::Disc) };
-    let corners: Vec<[Q; 2]> = outline.hull().into_iter().map(|corner| outline.vertices()[corner].clone()).collect();
-    let cases = corners_of_box(part, conveyor);
-    let stable = stable_edges(&corners, &cases)?;
+    let conveyed = Conveyed::of(part, conveyor)?;
+    let stable = &conveyed.stable;
     if let Some(edge) = question.end.filter(|edge| !stable.contains(edge)) {
-        return Err(PinsError::UnstableEnd { edge, stable });
+        return Err(PinsError::UnstableEnd { edge, stable: conveyed.stable });
     }
-    let shift = if part.center_of_mass_tolerance > Q::default() {
-        corners.len()
-    } else {
-        symmetry_shift(outline, &part.center_of_mass)
-    };
-    let symmetry = Symmetry { shift, classes: classes(&stable, shift) };
-    let signs = Signs::default();
-    let place = |edge: usize| stable.iter().position(|other| *other == edge).expect("turns end on stable edges");
-    let mut orientations = Vec::new();
-    let mut edges = Vec::new();
-    for edge in stable.iter().copied() {
-        let turns: Vec<Turn> =
-            cases.iter().map(|case| case.toppled(&corners).turn(edge, question.curves, &signs)).collect();
-        let next = place(turns[0].next);
-        let stretches = overlay(&turns.iter().map(actions).collect::<Vec<_>>());
-        orientations.push(to_answer::orientation(edge, &turns, &stretches));
-        edges.push(Actions { next, stretches });
-    }
+    let (orientations, edges): (Vec<Orientation>, Vec<Actions>) = stable
+        .iter()
+        .map(|edge| {
+            let turns = conveyed.turns(*edge, question.curves);
+            let actions = conveyed.actions(&turns);
+            (to_answer::orientation(*edge, &turns, &actions.stretches), actions)
+        })
+        .unzip();
     let wanted = Wanted { end: question.end, max_pins: question.max_pins, pareto: question.pareto };
-    let mut plan = plan(&stable, &symmetry, &bands(&edges), &wanted, &mut || false);
+    let symmetry = conveyed.symmetry();
+    let mut plan = conveyed.plan(&symmetry, &edges, &wanted);
     if let Some(sequence) = plan.sequence.as_ref().filter(|_| question.margins) {
-        let planned = Planned { part, conveyor, outline, corners: &corners, stable: &stable, sequence };
-        plan.margins = Some(planned.margins());
+        plan.margins = Some(Planned { part, conveyor, outline: conveyed.outline, stable, sequence }.margins());
     }
-    let queries = question.heights.iter().map(|height| query(height, &orientations, &edges, &stable)).collect();
-    let decisions = Decisions {
-        filtered: signs.counter.n_filtered() + signs.filter.n_settled(),
-        exact: signs.counter.n_exact() + signs.filter.n_exact(),
-    };
+    if let Some(obstacle) = &mut plan.obstacle {
+        obstacle.friction = other_friction(part, conveyor, question.end)?;
+    }
+    let queries = question.heights.iter().map(|height| query(height, &orientations, &edges, stable)).collect();
+    let decisions = conveyed.decisions();
+    let Conveyed { corners, stable, .. } = conveyed;
     Ok(Pins { hull: corners, stable, symmetry, orientations, plan, queries, decisions })
 }
 
-/// One choice of what is uncertain.
-struct Choice {
-    center_of_mass: [Q; 2],
-    belt_friction: Q,
-    pin_friction: [Q; 2],
-}
-
-impl Choice {
-    fn toppled<'a>(&'a self, corners: &'a [[Q; 2]]) -> Toppled<'a> {
-        Toppled {
-            corners,
-            center_of_mass: &self.center_of_mass,
-            belt_friction: &self.belt_friction,
-            pin_friction: self.pin_friction.each_ref(),
-        }
-    }
-}
-
-/// The choices at the corners of the box of what is uncertain; what is known has one value. With both ends of the friction at
-/// the pin comes the mixture of them that [`Toppled::pin_friction`] explains.
-fn corners_of_box(part: &Part, conveyor: &Conveyor) -> Vec<Choice> {
-    let ends = |range: &Range| {
-        let mut ends = vec![range.min.clone(), range.max.clone()];
-        ends.dedup();
-        ends
+/// Pins that roll freely, or with such pins ten times the friction on the belt, if there is a sequence then.
+fn other_friction(part: &Part, given: &Conveyor, end: Option<usize>) -> Result<Option<OtherFriction>, PinsError> {
+    let pin_friction = Range::exactly(Q::zero());
+    let belt_friction = if given.pin_friction == pin_friction {
+        Range::exactly(&given.belt_friction.min * ratio(10, 1))
+    } else {
+        given.belt_friction.clone()
     };
-    let [x, y] = [0, 1].map(|axis| {
-        let (center, tolerance) = (&part.center_of_mass[axis], &part.center_of_mass_tolerance);
-        ends(&Range { min: center - tolerance, max: center + tolerance })
-    });
-    let Range { min, max } = &conveyor.pin_friction;
-    let mut pin_frictions = vec![[min, max], [max, max], [min, min]];
-    pin_frictions.dedup();
-    let mut choices = Vec::new();
-    for belt_friction in ends(&conveyor.belt_friction) {
-        for pin_friction in &pin_frictions {
-            for center_of_mass in x.iter().flat_map(|x| y.iter().map(|y| [x.clone(), y.clone()])) {
-                let pin_friction = pin_friction.map(Q::clone);
-                choices.push(Choice { center_of_mass, belt_friction: belt_friction.clone(), pin_friction });
-            }
-        }
-    }
-    choices
-}
-
-/// The edges on which the part rests stably, whatever is uncertain.
-fn stable_edges(corners: &[[Q; 2]], choices: &[Choice]) -> Result<Vec<usize>, PinsError> {
-    let mut stable = Vec::new();
-    for edge in 0..corners.len() {
-        let rests = choices.iter().filter(|choice| choice.toppled(corners).is_stable(edge)).count();
-        if rests == choices.len() {
-            stable.push(edge);
-        } else if rests > 0 {
-            return Err(PinsError::UncertainRest { edge });
-        }
-    }
-    Ok(stable)
-}
-
-/// Stable edges that a turn by `shift` edges takes to each other.
-fn classes(stable: &[usize], shift: usize) -> Vec<Vec<usize>> {
-    let mut classes: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for edge in stable {
-        classes.entry(edge % shift).or_default().push(*edge);
-    }
-    let mut classes: Vec<Vec<usize>> = classes.into_values().collect();
-    classes.sort();
-    classes
+    let conveyor = Conveyor { belt_friction, pin_friction };
+    let conveyed = Conveyed::of(part, &conveyor)?;
+    let wanted = Wanted { end, ..Wanted::default() };
+    let sequence = conveyed.plan(&conveyed.symmetry(), &conveyed.edges(), &wanted).sequence;
+    let Conveyor { belt_friction, pin_friction } = conveyor;
+    Ok(sequence.map(|sequence| OtherFriction { belt_friction, pin_friction, pins: sequence.len() }))
 }
 
 fn query(height: &Q, orientations: &[Orientation], edges: &[Actions], stable: &[usize]) -> HeightQuery {

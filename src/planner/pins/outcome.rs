@@ -13,6 +13,16 @@ pub(super) struct Actions {
     pub(super) stretches: Vec<Stretch<Option<PinAction>>>,
 }
 
+impl Actions {
+    /// What a pin does at a height that is not critical; `None` if it is, or if it is uncertain.
+    pub(super) fn around(&self, height: &Height) -> Option<PinAction> {
+        let is_inside = |stretch: &&Stretch<Option<PinAction>>| {
+            stretch.from < *height && stretch.to.as_ref().is_none_or(|to| to > height)
+        };
+        self.stretches.iter().find(is_inside)?.action
+    }
+}
+
 /// Final outcomes of the stable edges between all neighboring critical heights, but above the highest.
 pub(super) fn bands(edges: &[Actions]) -> Vec<Band> {
     let mut heights: Vec<&Height> = edges.iter().flat_map(|edge| edge.stretches.iter().map(|s| &s.from)).collect();

@@ -3,7 +3,7 @@
 use super::tolerance::inside;
 use super::{Band, PinSearch, Q};
 use crate::answer::Symmetry;
-use crate::cone::bits::{Set, all, count, is_subset, members};
+use crate::cone::bits::{Set, all, count, intersect, is_subset, members, union};
 use crate::exact::{Algebraic, ratio};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -201,9 +201,7 @@ impl<'a> Task<'a> {
     /// The members of `from` that some pin usable on all of it moves.
     pub(super) fn moved(&self, from: &[u64]) -> Set {
         let usable = self.rows.iter().filter(|row| are_disjoint(from, &row.jams));
-        let moved = usable
-            .fold(set_of(self.n(), []), |moved: Set, row| moved.iter().zip(&row.moves).map(|(a, b)| a | b).collect());
-        moved.iter().zip(from).map(|(a, b)| a & b).collect()
+        intersect(&usable.fold(set_of(self.n(), []), |moved, row| union(&moved, &row.moves)), from)
     }
 
     /// Half the width.

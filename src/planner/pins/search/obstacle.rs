@@ -3,14 +3,13 @@
 use super::layers::Found;
 use super::moves::{Task, set_of};
 use crate::answer::Obstacle;
-use crate::cone::bits::{Set, is_subset, members};
+use crate::cone::bits::{Set, is_subset, members, union};
 use std::collections::VecDeque;
 
 /// What a search that has reached no goal shows.
 pub(super) fn of(task: &Task, found: &Found, inseparable_pairs: Vec<[usize; 2]>) -> Obstacle {
-    let moved = found.reached.iter().fold(set_of(task.n(), []), |moved: Set, reached| {
-        moved.iter().zip(&task.moved(&reached.set)).map(|(a, b)| a | b).collect()
-    });
+    let moved = found.reached.iter();
+    let moved = moved.fold(set_of(task.n(), []), |moved, reached| union(&moved, &task.moved(&reached.set)));
     let never_moved = (0..task.n()).filter(|place| members(&moved).all(|other| other != *place));
     Obstacle {
         smallest_sets: smallest(task, found),
