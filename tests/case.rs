@@ -60,18 +60,24 @@ fn vector(value: &Value) -> [Q; 2] {
     [rational(&value[0]), rational(&value[1])]
 }
 
+/// Name, case and published results of every case in a folder.
+fn published(folder: &str) -> impl Iterator<Item = (String, Case, Value)> {
+    let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    paths.filter_map(|path| {
+        let name = path.file_name().unwrap().to_str().unwrap().to_string();
+        if !name.ends_with(".json") || name.ends_with(".expected.json") {
+            return None;
+        }
+        let expected = std::fs::read(path.with_extension("expected.json")).unwrap();
+        let case = read(&std::fs::read(&path).unwrap(), &Limits::default()).unwrap();
+        Some((name, case, serde_json::from_slice(&expected).unwrap()))
+    })
+}
+
 #[test]
 fn the_public_cases_read_to_their_published_numbers() {
     let mut n_cases = 0;
-    for entry in std::fs::read_dir("tests/wrench").unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_str().unwrap().to_string();
-        if !name.ends_with(".json") || name.ends_with(".expected.json") {
-            continue;
-        }
-        let expected = std::fs::read(path.with_extension("expected.json")).unwrap();
-        let expected: Value = serde_json::from_slice(&expected).unwrap();
-        let case = read(&std::fs::read(&path).unwrap(), &Limits::default()).unwrap();
+    for (name, case, expected) in published("tests/wrench") {
         assert_eq!(case.part.center_of_mass, vector(&expected["center_of_mass"]), "{name}");
         assert_eq!(case.part.gyration2(), rational(&expected["rho2"]), "{name}");
         let fixels = case.fixture.unwrap().fixels;
@@ -177,15 +183,7 @@ fn friction_of_pins_is_one_range() {
 #[test]
 fn the_public_conveyors_read_to_their_published_numbers() {
     let mut n_cases = 0;
-    for entry in std::fs::read_dir("tests/topple").unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_str().unwrap().to_string();
-        if !name.ends_with(".json") || name.ends_with(".expected.json") {
-            continue;
-        }
-        let expected = std::fs::read(path.with_extension("expected.json")).unwrap();
-        let expected: Value = serde_json::from_slice(&expected).unwrap();
-        let case = read(&std::fs::read(&path).unwrap(), &Limits::default()).unwrap();
+    for (name, case, expected) in published("tests/topple") {
         let conveyor = case.conveyor.unwrap();
         assert_eq!(case.part.center_of_mass, vector(&expected["center_of_mass"]), "{name}");
         assert_eq!(conveyor.belt_friction, Range::exactly(rational(&expected["belt_friction"])), "{name}");

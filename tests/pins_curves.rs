@@ -4,16 +4,12 @@ mod support;
 
 use partplan::answer::{CurveKind, Orientation};
 use partplan::exact::{Q, to_f64};
-use partplan::geometry::Polygon;
-use partplan::model::{Conveyor, LengthUnit, Part, Range, Shape};
-use partplan::planner::{self, PinQuestion};
-use serde_json::Value;
-use support::cases::{number, numbers};
-use support::q;
+use partplan::planner::{PinQuestion, pins};
+use support::conveyed::{self, Public};
 
 /// A published case, turned by doubles.
 struct Case {
-    name: String,
+    name: &'static str,
     hull: Vec<[f64; 2]>,
     com: [f64; 2],
     /// Belt and pin.
@@ -21,35 +17,20 @@ struct Case {
     orientations: Vec<Orientation>,
 }
 
-fn cases() -> Vec<Case> {
-    let folder = format!("{}/tests/topple", env!("CARGO_MANIFEST_DIR"));
-    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let expected = files.filter(|path| path.to_string_lossy().ends_with(".expected.json"));
-    let cases: Vec<Case> = expected.map(|path| case(&std::fs::read_to_string(path).unwrap())).collect();
-    assert!(cases.len() >= 4, "the cases were not found");
-    cases
+fn cases() -> impl Iterator<Item = Case> {
+    conveyed::all().map(case)
 }
 
-fn case(text: &str) -> Case {
-    let value: Value = serde_json::from_str(text).unwrap();
-    let point = |value: &Value| -> [Q; 2] { numbers(value).try_into().expect("two numbers") };
-    let hull: Vec<[Q; 2]> = value["hull"].as_array().unwrap().iter().map(point).collect();
-    let com = point(&value["center_of_mass"]);
-    let [belt, pin] = ["belt_friction", "pin_friction"].map(|key| number(&value[key]));
+fn case(Public { name, part, conveyor, .. }: Public) -> Case {
+    let answer = pins(&part, &conveyor, &PinQuestion { curves: true, ..PinQuestion::default() }).unwrap();
     let near = |point: &[Q; 2]| point.each_ref().map(to_f64);
-    let (corners, center, friction) = (hull.iter().map(near).collect(), near(&com), [to_f64(&belt), to_f64(&pin)]);
-    let part = Part {
-        unit: LengthUnit::Metre,
-        shape: Shape::Polygon(Polygon::new(hull).unwrap()),
-        center_of_mass: com,
-        center_of_mass_tolerance: q("0"),
-        mass: q("1"),
-        inertia: q("1"),
-    };
-    let conveyor = Conveyor { belt_friction: Range::exactly(belt), pin_friction: Range::exactly(pin) };
-    let orientations =
-        planner::pins(&part, &conveyor, &PinQuestion { curves: true, ..PinQuestion::default() }).unwrap().orientations;
-    Case { name: value["name"].as_str().unwrap().to_owned(), hull: corners, com: center, friction, orientations }
+    Case {
+        name,
+        hull: answer.hull.iter().map(near).collect(),
+        com: near(&part.center_of_mass),
+        friction: [&conveyor.belt_friction, &conveyor.pin_friction].map(|range| to_f64(&range.max)),
+        orientations: answer.orientations,
+    }
 }
 
 /// The corners and the center of mass after a turn, the pivot at the origin.

@@ -2,6 +2,7 @@
 
 use crate::support::topple::Conveyed;
 use partplan::answer::{Orientation, PinAction, Pins};
+use partplan::exact::Q;
 
 /// Ends of intervals as doubles; the last is beyond every height that matters.
 pub struct Band {
@@ -74,7 +75,7 @@ fn path(orientation: &Orientation, oracle: &Conveyed) -> Result<(), String> {
         .iter()
         .all(|i| i.to.as_ref().is_none_or(|to| i.from < *to || i.action == Some(PinAction::Jam) && i.from == *to));
     let [first, .., last] = &intervals[..] else { return Err("fewer than two intervals".into()) };
-    if !(adjoin && ascend && first.from == partplan::exact::Q::from_integer(0.into()) && last.to.is_none()) {
+    if !(adjoin && ascend && first.from == Q::from_integer(0.into()) && last.to.is_none()) {
         return Err(format!("intervals do not cover the heights once: {intervals:?}"));
     }
     Ok(())
@@ -121,4 +122,19 @@ fn heights(orientation: &Orientation, oracle: &Conveyed, shares: &[f64], tally: 
         }
     }
     Ok(())
+}
+
+/// Where a pin at `height` leaves a part that comes on `edge`, by what is said of single orientations; none if it jams.
+pub fn end(answer: &Pins, edge: usize, height: &Q) -> Option<usize> {
+    let mut at = edge;
+    for _ in 0..=answer.stable.len() {
+        let orientation = answer.orientations.iter().find(|o| o.edge == at)?;
+        at = match orientation.action_at(height).0? {
+            PinAction::PassUnder | PinAction::FallBack => return Some(at),
+            PinAction::Jam => return None,
+            PinAction::Pass => return Some(orientation.next),
+            PinAction::Repeat => orientation.next,
+        }
+    }
+    None
 }

@@ -1,6 +1,7 @@
 //! Parts whose friction or center of mass is known within limits: what is said holds for every value.
 
-use crate::draw::{Drawn, belts, bodies, pins as pin_friction, runs};
+use crate::agree::end;
+use crate::draw::{Drawn, belts, bodies, pin_frictions, runs};
 use crate::support::{int, q};
 use partplan::answer::{PinAction, Pins};
 use partplan::exact::{Q, ratio, to_f64};
@@ -20,7 +21,7 @@ struct Uncertain {
 
 fn uncertain() -> impl Strategy<Value = Uncertain> {
     let share = || prop_oneof![1 => Just(int(0)), 3 => (1..=20_i64).prop_map(|x| ratio(x, 100))];
-    (bodies(), belts(), pin_friction(), share(), share(), share()).prop_map(|((outline, at), belt, pin, b, p, c)| {
+    (bodies(), belts(), pin_frictions(), share(), share(), share()).prop_map(|((outline, at), belt, pin, b, p, c)| {
         let (belt_half, pin_half) = (&belt * b, &pin * p);
         let drawn = Drawn::new(outline, at, belt, pin);
         Uncertain { drawn, belt: belt_half, pin: pin_half, center: c / int(4) }
@@ -48,10 +49,6 @@ impl Uncertain {
     }
 }
 
-fn certain(drawn: &Drawn) -> Pins {
-    pins(&drawn.part(), &drawn.conveyor(), &PinQuestion::default()).expect("nothing in the case is uncertain")
-}
-
 proptest! {
     #![proptest_config(runs(10))]
 
@@ -60,7 +57,7 @@ proptest! {
     fn a_promise_holds_all_over_the_box(case in uncertain(), shares in vec(vec(-12..=12_i64, 4), 3), at in vec(1..=7_i64, 2)) {
         let Ok(answer) = case.planned() else { return Ok(()) };
         for shares in shares {
-            let choice = certain(&case.choice(&shares));
+            let choice = case.choice(&shares).planned();
             prop_assert_eq!(&answer.stable, &choice.stable);
             for (ours, point) in answer.orientations.iter().zip(&choice.orientations) {
                 prop_assert_eq!((ours.next, &ours.pivots), (point.next, &point.pivots));
@@ -81,7 +78,7 @@ proptest! {
         let Ok(answer) = case.planned() else { return Ok(()) };
         let Some(sequence) = &answer.plan.sequence else { return Ok(()) };
         for shares in shares {
-            let choice = certain(&case.choice(&shares));
+            let choice = case.choice(&shares).planned();
             let mut set = choice.stable.clone();
             for pin in sequence {
                 let ends = set.iter().map(|edge| end(&choice, *edge, &pin.height));
@@ -101,7 +98,7 @@ proptest! {
         // where nothing is uncertain both sides are the same
         let halves = [&case.center, &case.center, &case.belt, &case.pin];
         let is_new = |corner: &usize| (0..4).all(|bit| corner >> bit & 1 == 0 || *halves[bit] > int(0));
-        let corners: Vec<Pins> = (0..16).filter(is_new).map(|corner| certain(&case.choice(&sides(corner)))).collect();
+        let corners: Vec<Pins> = (0..16).filter(is_new).map(|corner| case.choice(&sides(corner)).planned()).collect();
         for (at, ours) in answer.orientations.iter().enumerate() {
             for interval in ours.intervals.iter().filter(|i| i.action.is_none()) {
                 let Some(height) = inside(interval, 4) else { continue };
@@ -129,7 +126,7 @@ fn a_jam_at_both_ends_of_a_range_is_none_in_between() {
     let center = ["-2529272821/2360592970", "1884613117/2360592970"].map(q);
     let action = |belt: &str| {
         let drawn = Drawn::new(outline.clone(), center.clone(), q(belt), int(0));
-        let answer = certain(&drawn);
+        let answer = drawn.planned();
         let found = answer.orientations.iter().find(|o| o.edge == 3).expect("a stable edge").action_at(&int(3)).0;
         assert_eq!(found, drawn.oracle().action(3, 3.0), "{belt}");
         found
@@ -146,19 +143,4 @@ fn inside(interval: &partplan::answer::ActionInterval, eighths: i64) -> Option<Q
         None => [int(2) * &low, int(2) * &low],
     };
     (low < high).then(|| &low + (&high - &low) * ratio(eighths, 8))
-}
-
-/// Where a part ends; exact.
-fn end(answer: &Pins, edge: usize, height: &Q) -> Option<usize> {
-    let mut at = edge;
-    for _ in 0..=answer.stable.len() {
-        let orientation = answer.orientations.iter().find(|o| o.edge == at)?;
-        at = match orientation.action_at(height).0? {
-            PinAction::PassUnder | PinAction::FallBack => return Some(at),
-            PinAction::Jam => return None,
-            PinAction::Pass => return Some(orientation.next),
-            PinAction::Repeat => orientation.next,
-        }
-    }
-    None
 }

@@ -9,7 +9,6 @@ use crate::support::{cross, dot, int};
 use num_traits::Signed;
 use partplan::answer::{Orientation, PinAction, Pins};
 use partplan::exact::{Algebraic, Polynomial, Q, ratio};
-use partplan::planner::{PinQuestion, pins};
 use proptest::prelude::*;
 use std::cmp::Ordering;
 
@@ -17,8 +16,7 @@ use PinAction::{FallBack, Jam, Pass, PassUnder, Repeat};
 
 fn planned(outline: &[[i64; 2]], center: [Q; 2], belt: Q, pin: Q) -> Pins {
     let outline = outline.iter().map(|point| point.map(int)).collect();
-    let drawn = Drawn::new(outline, center, belt, pin);
-    pins(&drawn.part(), &drawn.conveyor(), &PinQuestion::default()).expect("nothing is uncertain")
+    Drawn::new(outline, center, belt, pin).planned()
 }
 
 fn minus(a: &[Q; 2], b: &[Q; 2]) -> [Q; 2] {

@@ -1,12 +1,13 @@
 //! Random parts with small rational corners, and friction from none to practically infinite.
 
-use crate::public;
 use crate::support::topple::Conveyed;
-use crate::support::{int, random};
+use crate::support::{conveyed, int, random};
 use num_traits::One;
+use partplan::answer::Pins;
 use partplan::exact::{Q, ratio};
 use partplan::geometry::Polygon;
 use partplan::model::{Conveyor, Part, Range};
+use partplan::planner::{PinQuestion, pins};
 use proptest::collection::{btree_set, vec};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -27,11 +28,16 @@ impl Drawn {
     }
 
     pub fn part(&self) -> Part {
-        public::part(&self.outline, &self.center)
+        conveyed::part(&self.outline, &self.center)
     }
 
     pub fn conveyor(&self) -> Conveyor {
         Conveyor { belt_friction: Range::exactly(self.belt.clone()), pin_friction: Range::exactly(self.pin.clone()) }
+    }
+
+    /// What the planner says; nothing of it is uncertain.
+    pub fn planned(&self) -> Pins {
+        pins(&self.part(), &self.conveyor(), &PinQuestion::default()).expect("nothing in the case is uncertain")
     }
 
     pub fn oracle(&self) -> Conveyed {
@@ -95,12 +101,13 @@ pub fn belts() -> impl Strategy<Value = Q> {
         .prop_map(|(p, q)| ratio(p, q))
 }
 
-pub fn pins() -> impl Strategy<Value = Q> {
+pub fn pin_frictions() -> impl Strategy<Value = Q> {
     select(vec![(0, 1), (0, 1), (1, 20), (7, 80), (1, 4), (1, 1), (1000, 1)]).prop_map(|(p, q)| ratio(p, q))
 }
 
 pub fn drawn() -> impl Strategy<Value = Drawn> {
-    (bodies(), belts(), pins()).prop_map(|((outline, center), belt, pin)| Drawn::new(outline, center, belt, pin))
+    (bodies(), belts(), pin_frictions())
+        .prop_map(|((outline, center), belt, pin)| Drawn::new(outline, center, belt, pin))
 }
 
 /// `cases` runs unless the environment says otherwise, the same in every run: where forces balance almost exactly, doubles

@@ -2,18 +2,13 @@
 //! infinite one.
 
 use crate::agree::agrees;
-use crate::draw::{Drawn, bodies, pins as pin_friction, runs};
+use crate::draw::{Drawn, bodies, pin_frictions, runs};
 use crate::properties::{alike, kinds};
 use crate::support::int;
 use num_traits::One;
-use partplan::answer::{PinAction, Pins};
+use partplan::answer::PinAction;
 use partplan::exact::{Q, ratio};
-use partplan::planner::{PinQuestion, pins};
 use proptest::prelude::*;
-
-fn planned(drawn: &Drawn) -> Pins {
-    pins(&drawn.part(), &drawn.conveyor(), &PinQuestion::default()).expect("nothing in the case is uncertain")
-}
 
 fn drawn(outline: &[[i64; 2]], center: [Q; 2]) -> Drawn {
     Drawn::new(outline.iter().map(|point| point.map(int)).collect(), center, ratio(4, 3), ratio(7, 80))
@@ -24,8 +19,8 @@ proptest! {
 
     /// A belt without friction cannot push the part over the pin: whatever touches it jams.
     #[test]
-    fn a_belt_without_friction_jams_every_part_that_touches_a_pin((outline, center) in bodies(), pin in pin_friction()) {
-        let answer = planned(&Drawn::new(outline, center, int(0), pin));
+    fn a_belt_without_friction_jams_every_part_that_touches_a_pin((outline, center) in bodies(), pin in pin_frictions()) {
+        let answer = Drawn::new(outline, center, int(0), pin).planned();
         for orientation in &answer.orientations {
             prop_assert_eq!(kinds(orientation), [PinAction::Jam, PinAction::PassUnder]);
             prop_assert_eq!(&orientation.intervals[1].from, &orientation.height);
@@ -33,10 +28,10 @@ proptest! {
     }
 
     #[test]
-    fn a_practically_infinite_belt_agrees((outline, center) in bodies(), pin in pin_friction()) {
+    fn a_practically_infinite_belt_agrees((outline, center) in bodies(), pin in pin_frictions()) {
         let belt = Q::from_integer(partplan::exact::Z::from(10).pow(30));
         let drawn = Drawn::new(outline, center, belt, pin);
-        agrees(&planned(&drawn), &drawn.oracle(), &[0.3, 0.7]).map_err(TestCaseError::fail)?;
+        agrees(&drawn.planned(), &drawn.oracle(), &[0.3, 0.7]).map_err(TestCaseError::fail)?;
     }
 
     /// A half turn about the center of mass: opposite edges look the same.
@@ -44,7 +39,7 @@ proptest! {
     fn centrally_symmetric_parts_do_the_same_on_opposite_edges(half in half_outline()) {
         let outline: Vec<[Q; 2]> = half.iter().cloned().chain(half.iter().map(|[x, y]| [-x, -y])).collect();
         let drawn = Drawn::new(outline, [int(0), int(0)], ratio(4, 3), ratio(7, 80));
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         let (n_edges, shift) = (answer.hull.len(), answer.symmetry.shift);
         prop_assert!(shift <= n_edges / 2 && (n_edges / 2).is_multiple_of(shift));
         for orientation in &answer.orientations {
@@ -71,7 +66,7 @@ proptest! {
         let nudge = ratio(side, 1_000_000_000_000_000_000);
         let center = [0, 1].map(|i| &corner[i] + &up[i] * &depth * ratio(1, 2) + &along[i] * &nudge);
         let drawn = Drawn::new(outline, center, ratio(4, 3), ratio(7, 80));
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         let inside = (side > 0) == (end == 0) && side != 0;
         prop_assert_eq!(answer.stable.contains(&at), inside);
         agrees(&answer, &drawn.oracle(), &[0.5]).map_err(TestCaseError::fail)?;
@@ -116,7 +111,7 @@ fn squares_and_a_hexagon_look_the_same_on_more_than_one_side() {
         let count = int(outline.len() as i64);
         let center = [0, 1].map(|axis| outline.iter().map(|v| int(v[axis])).sum::<Q>() / &count);
         let drawn = drawn(outline, center);
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         assert_eq!(answer.symmetry.shift, shift, "{outline:?}");
         assert_eq!(answer.symmetry.classes.len(), shift, "{outline:?}: {:?}", answer.symmetry.classes);
         agrees(&answer, &drawn.oracle(), &[0.25, 0.5, 0.75]).unwrap();
@@ -128,7 +123,7 @@ fn squares_and_a_hexagon_look_the_same_on_more_than_one_side() {
 fn what_the_hull_hides_is_seen() {
     let center = [ratio(5, 2), ratio(5, 2)];
     let dented = drawn(&[[0, 0], [5, 0], [5, 5], [3, 4], [0, 5]], center);
-    let answer = planned(&dented);
+    let answer = dented.planned();
     assert_eq!((answer.hull.len(), answer.symmetry.shift), (4, 4));
 }
 
@@ -157,7 +152,7 @@ fn parts_of_many_corners_agree() {
         let middle = |axis: usize| outline.iter().map(|v| v[axis].clone()).sum::<Q>() / int(count as i64);
         let center = [middle(0) + ratio(1, 3), middle(1) - ratio(1, 7)];
         let drawn = Drawn::new(outline, center, ratio(4, 3), ratio(7, 80));
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         assert_eq!(answer.hull.len(), count);
         agrees(&answer, &drawn.oracle(), &[0.5]).unwrap();
     }

@@ -9,7 +9,6 @@ mod extreme;
 mod margins;
 mod oracle;
 mod properties;
-mod public;
 mod search;
 #[path = "../support/mod.rs"]
 mod support;

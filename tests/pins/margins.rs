@@ -1,7 +1,8 @@
 //! How far friction and center of mass may be off: what is said works, exactly, and a little more does not.
 
-use crate::public::{Public, public};
-use partplan::answer::{Margins, PinAction, Pins};
+use crate::agree::end;
+use crate::support::conveyed::{Public, public};
+use partplan::answer::{Margins, Pin, Pins};
 use partplan::exact::{Q, ratio};
 use partplan::model::Range;
 use partplan::planner::{PinQuestion, pins};
@@ -12,22 +13,8 @@ fn planned(case: &Public, margins: bool) -> Pins {
 
 /// Whether the pins planned for one case do the same in another.
 fn works(plan: &Pins, other: &Pins) -> bool {
-    plan.plan.sequence.iter().flatten().all(|pin| {
-        let end = |start: usize| {
-            let mut at = start;
-            for _ in 0..=other.stable.len() {
-                let orientation = other.orientations.iter().find(|orientation| orientation.edge == at)?;
-                match orientation.action_at(&pin.height).0? {
-                    PinAction::PassUnder | PinAction::FallBack => return Some(at),
-                    PinAction::Pass => return Some(orientation.next),
-                    PinAction::Repeat => at = orientation.next,
-                    PinAction::Jam => return None,
-                }
-            }
-            None
-        };
-        pin.outcome.iter().all(|(from, to)| end(*from) == Some(*to))
-    })
+    let does_the_same = |pin: &Pin| pin.outcome.iter().all(|(from, to)| end(other, *from, &pin.height) == Some(*to));
+    plan.plan.sequence.iter().flatten().all(does_the_same)
 }
 
 /// Rough pins jam what smooth ones turn, and so does a slippery belt.

@@ -1,7 +1,7 @@
 //! The oracle against what independent exact implementations answered, so that it may judge the planner.
 
-use crate::public::{action, all, edge, edges, height, list, point};
 use crate::support::cases::number;
+use crate::support::conveyed::{action, all, edge, edges, height, list, optional, point};
 use partplan::answer::PinAction;
 use partplan::exact::{Q, to_f64};
 
@@ -71,7 +71,7 @@ fn it_sees_where_a_part_ducks_below_a_pin() {
     for case in all() {
         for orientation in list(&case.expected["orientations"]) {
             let at = edge(&orientation["edge"]);
-            let ends: Vec<f64> = list(&orientation["repeat_over_dip"]).iter().map(height).collect();
+            let ends: Vec<f64> = optional(&orientation["repeat_over_dip"]).iter().map(height).collect();
             let dips: Vec<[f64; 2]> = ends.chunks(2).map(|ends| [ends[0], ends[1]]).collect();
             for h in (1..1000).map(|step| case.oracle.height(at) * f64::from(step) / 1000.0) {
                 let meeting = case.oracle.meet(at, h);
@@ -92,7 +92,7 @@ fn it_answers_the_queries() {
     for case in all() {
         for query in list(&case.expected["queries"]) {
             let h = to_f64(&number(&query["height"]));
-            let critical = edges(&query["critical_for"]);
+            let critical: Vec<usize> = optional(&query["critical_for"]).iter().map(edge).collect();
             for at in case.oracle.stable.iter().filter(|at| !critical.contains(at)) {
                 let place = format!("{}, edge {at} at {h}", case.name);
                 let key = at.to_string();

@@ -6,14 +6,9 @@ use crate::search::{Search, replay};
 use crate::support::int;
 use partplan::answer::{ActionInterval, Orientation, PinAction, Pins};
 use partplan::exact::{Algebraic, Q, ratio, to_f64};
-use partplan::planner::{PinQuestion, pins};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::collections::BTreeSet;
-
-fn planned(drawn: &Drawn) -> Pins {
-    pins(&drawn.part(), &drawn.conveyor(), &PinQuestion::default()).expect("nothing in the case is uncertain")
-}
 
 proptest! {
     #![proptest_config(runs(60))]
@@ -22,7 +17,7 @@ proptest! {
     /// beyond an end is just inside of the next interval.
     #[test]
     fn balance_of_forces_agrees(drawn in drawn(), shares in prop::collection::vec(0.001_f64..0.999, 3)) {
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         let tally = agrees(&answer, &drawn.oracle(), &shares).map_err(TestCaseError::fail)?;
         prop_assert!(tally.judged > 0 && tally.unsure * 20 <= tally.judged, "{tally:?}");
     }
@@ -35,7 +30,7 @@ proptest! {
     /// pins, replayed orientation by orientation, leave one class.
     #[test]
     fn searching_with_balance_of_forces_agrees(drawn in drawn()) {
-        let (answer, oracle) = (planned(&drawn), drawn.oracle());
+        let (answer, oracle) = (drawn.planned(), drawn.oracle());
         let Some(search) = Search::new(&answer, &oracle) else { return Err(TestCaseError::reject("bands too thin")) };
         let sequence = answer.plan.sequence.as_ref();
         prop_assert_eq!(sequence.map(Vec::len), search.fewest_pins());
@@ -59,7 +54,7 @@ proptest! {
     /// A pin's height, its tolerance and its ends say the same as the intervals.
     #[test]
     fn pins_stand_inside_of_their_ends(drawn in drawn()) {
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         let mut before: BTreeSet<usize> = answer.stable.iter().copied().collect();
         for pin in answer.plan.sequence.iter().flatten() {
             prop_assert!(pin.tolerance > int(0));
@@ -77,14 +72,14 @@ proptest! {
         scale in (1..=9_i64, 1..=9_i64),
         first in any::<Index>(),
     ) {
-        let answer = planned(&drawn);
+        let answer = drawn.planned();
         let (offset, scale) = (offset.map(|x| ratio(x, 7)), ratio(scale.0, scale.1));
         let count = answer.hull.len();
         let place = |point: &[Q; 2]| [0, 1].map(|i| &(&point[i] * &scale) + &offset[i]);
         let mut moved = changed(&drawn, place);
         let first = first.index(moved.outline.len());
         moved.outline.rotate_left(first);
-        let other = planned(&moved);
+        let other = moved.planned();
         let shift = other.hull.iter().position(|corner| *corner == place(&answer.hull[0])).expect("the same corner");
         same(&answer, &other, &|edge| (edge + shift) % count, &scale)?;
     }
@@ -94,7 +89,7 @@ proptest! {
     fn turning_changes_nothing_else(drawn in drawn(), turn in 0..4_usize) {
         let (cos, sin) = [(ratio(3, 5), ratio(4, 5)), (ratio(-5, 13), ratio(12, 13)), (int(0), int(1)), (int(-1), int(0))][turn].clone();
         let turned = changed(&drawn, |[x, y]| [x * &cos - y * &sin, x * &sin + y * &cos]);
-        same(&planned(&drawn), &planned(&turned), &|edge| edge, &int(1))?;
+        same(&drawn.planned(), &turned.planned(), &|edge| edge, &int(1))?;
     }
 
     /// A mirror reverses the way in which parts topple: the part's heights stay, and from where a part topples to where
@@ -103,7 +98,7 @@ proptest! {
     fn a_mirror_reverses_the_way_round(drawn in drawn()) {
         let mut mirrored = changed(&drawn, |[x, y]| [-x, y.clone()]);
         mirrored.outline.reverse();
-        let (answer, other) = (planned(&drawn), planned(&mirrored));
+        let (answer, other) = (drawn.planned(), mirrored.planned());
         let count = answer.hull.len();
         let image = |corner: usize| {
             let [x, y] = &answer.hull[corner % count];

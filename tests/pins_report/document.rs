@@ -1,6 +1,8 @@
 //! The document says what the answer says, exactly.
 
-use super::published::{NAMES, Published, edges, list, number, numbers};
+use super::published::Published;
+use super::support::cases::{number, numbers};
+use super::support::conveyed::{NAMES, edge, edges, list};
 use num_traits::Pow as _;
 use partplan::answer::{Limit, Obstacle, PinAction, PinPlan, Tradeoff, Wiper};
 use partplan::exact::{Algebraic, Polynomial, Q, ratio};
@@ -41,9 +43,7 @@ fn every_published_result_is_in_the_document_under_its_name() {
         }
         compare_sequence(&plan["sequence"], &expected["plan"]["sequence"]);
         if status == "plan" {
-            assert!(
-                edges(&expected["plan"]["finals_at_this_length"]).contains(&super::published::edge(&plan["final"]))
-            );
+            assert!(edges(&expected["plan"]["finals_at_this_length"]).contains(&edge(&plan["final"])));
         }
         compare_queries(&result["queries"], &expected["queries"]);
         assert_eq!(result["decisions"], json!({ "filtered": 12, "exact": 3 }));
@@ -92,7 +92,7 @@ fn compare_sequence(shown: &Value, expected: &Value) {
         assert_encloses(&expected["from"], &shown["low"]);
         assert_encloses(&expected["to"], &shown["high"]);
         assert_eq!(shown["after"], expected["after"]);
-        let mut ends: Vec<usize> = shown["outcome"].as_object().unwrap().values().map(super::published::edge).collect();
+        let mut ends: Vec<usize> = shown["outcome"].as_object().unwrap().values().map(edge).collect();
         ends.sort_unstable();
         ends.dedup();
         assert_eq!(ends, edges(&expected["after"]));

@@ -2,4 +2,6 @@
 
 mod document;
 mod published;
+#[path = "../support/mod.rs"]
+mod support;
 mod words;

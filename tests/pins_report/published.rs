@@ -1,32 +1,16 @@
 //! Answers built from the published results of the public cases, without the planner.
 
+use crate::support::cases::{number, numbers};
+use crate::support::conveyed::{action, edge, edges, json, list, text};
 use partplan::answer::{
     ActionInterval, Decisions, HeightQuery, Obstacle, Orientation, Pin, PinAction, PinPlan, PinSearch, Pins, Symmetry,
     ToppleInterval,
 };
 use partplan::case::{Case, Limits, read};
-use partplan::exact::{Algebraic, Q, parse_literal};
+use partplan::exact::{Algebraic, Q};
 use partplan::report::Ride;
 use serde_json::Value;
 use std::collections::BTreeMap;
-
-pub const NAMES: [&str; 15] = [
-    "com_exactly_over_left_vertex",
-    "hexagon_order_2",
-    "kite",
-    "paper_fit_free_friction",
-    "paper_fit_stated_friction",
-    "paper_fit_within_2_degrees",
-    "parallelogram_left",
-    "pentagon",
-    "pentagon_no_pin_friction",
-    "pentagon_pin_rougher_than_belt",
-    "rectangle_offset_com",
-    "square",
-    "three_pins",
-    "triangle_345",
-    "triangle_obtuse_unstable_edge",
-];
 
 /// A public case, its published results, and an answer that says the same.
 pub struct Published {
@@ -37,10 +21,8 @@ pub struct Published {
 
 impl Published {
     pub fn new(name: &str) -> Self {
-        let bytes =
-            |name: String| std::fs::read(format!("{}/tests/topple/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-        let case = read(&bytes(format!("{name}.json")), &Limits::default()).unwrap();
-        let expected: Value = serde_json::from_slice(&bytes(format!("{name}.expected.json"))).unwrap();
+        let case = read(text(name).as_bytes(), &Limits::default()).unwrap();
+        let expected = json(&format!("{name}.expected"));
         let answer = answer(&expected);
         Self { case, expected, answer }
     }
@@ -57,26 +39,6 @@ impl Published {
     }
 }
 
-pub fn number(value: &Value) -> Q {
-    value.as_str().map_or_else(|| parse_literal(&value.to_string()), parse_literal).unwrap()
-}
-
-pub fn list(value: &Value) -> &Vec<Value> {
-    value.as_array().unwrap_or_else(|| panic!("{value} is not a list"))
-}
-
-pub fn numbers(value: &Value) -> Vec<Q> {
-    list(value).iter().map(number).collect()
-}
-
-pub fn edges(value: &Value) -> Vec<usize> {
-    list(value).iter().map(edge).collect()
-}
-
-pub fn edge(value: &Value) -> usize {
-    value.as_u64().unwrap_or_else(|| panic!("{value} is no edge")) as usize
-}
-
 fn by_edge<T>(value: &Value, of: impl Fn(&Value) -> T) -> BTreeMap<usize, T> {
     value.as_object().unwrap().iter().map(|(edge, value)| (edge.parse().unwrap(), of(value))).collect()
 }
@@ -84,17 +46,6 @@ fn by_edge<T>(value: &Value, of: impl Fn(&Value) -> T) -> BTreeMap<usize, T> {
 /// A published height is a pair of decimals that enclose it; the upper one stands for it here.
 fn height(value: &Value) -> Algebraic {
     number(&value[1]).into()
-}
-
-fn action(value: &Value) -> PinAction {
-    match value.as_str().unwrap() {
-        "pass-under" => PinAction::PassUnder,
-        "fall-back" => PinAction::FallBack,
-        "jam" => PinAction::Jam,
-        "repeat" => PinAction::Repeat,
-        "pass" => PinAction::Pass,
-        other => panic!("{other}"),
-    }
 }
 
 fn answer(expected: &Value) -> Pins {

@@ -1,6 +1,8 @@
 //! The text: the answer first, and no number that promises too much.
 
-use super::published::{NAMES, Published, list, number};
+use super::published::Published;
+use super::support::cases::number;
+use super::support::conveyed::{NAMES, edge, list};
 use partplan::answer::{Limit, PinAction, PinPlan, Tradeoff, Wiper};
 use partplan::exact::{Q, parse_literal, ratio};
 use partplan::model::Range;
@@ -102,7 +104,7 @@ fn the_heights_of_an_orientation_have_their_action() {
         let text = words(&published);
         let firsts: Vec<usize> = published.answer.symmetry.classes.iter().map(|class| class[0]).collect();
         for orientation in list(&published.expected["orientations"]) {
-            let edge = super::published::edge(&orientation["edge"]);
+            let edge = edge(&orientation["edge"]);
             if !firsts.contains(&edge) {
                 continue;
             }

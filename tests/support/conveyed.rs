@@ -1,7 +1,7 @@
-//! The public cases and what independent exact implementations answered.
+//! The public cases of pins over a conveyor and what independent exact implementations answered.
 
-use crate::support::cases::{number, numbers};
-use crate::support::topple::Conveyed;
+use super::cases::{number, numbers};
+use super::topple::Conveyed;
 use partplan::answer::PinAction;
 use partplan::exact::{Q, to_f64};
 use partplan::geometry::Polygon;
@@ -39,10 +39,13 @@ pub fn all() -> impl Iterator<Item = Public> {
     NAMES.into_iter().map(public)
 }
 
-fn json(file: &str) -> Value {
+pub fn text(file: &str) -> String {
     let path = format!("{}/tests/topple/{file}.json", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
-    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}"))
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+pub fn json(file: &str) -> Value {
+    serde_json::from_str(&text(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
 }
 
 pub fn public(name: &'static str) -> Public {
@@ -57,7 +60,7 @@ pub fn public(name: &'static str) -> Public {
 }
 
 pub fn part(outline: &[[Q; 2]], center: &[Q; 2]) -> Part {
-    let [one, none] = [1, 0].map(crate::support::int);
+    let [one, none] = [1, 0].map(super::int);
     Part {
         unit: LengthUnit::Metre,
         shape: Shape::Polygon(Polygon::new(outline.to_vec()).expect("a simple polygon")),
@@ -73,7 +76,12 @@ pub fn point(value: &Value) -> [Q; 2] {
 }
 
 pub fn list(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
+    value.as_array().unwrap_or_else(|| panic!("{value} is not a list"))
+}
+
+/// A list that cases leave out where it has no members.
+pub fn optional(value: &Value) -> &[Value] {
+    if value.is_null() { &[] } else { list(value) }
 }
 
 pub fn edge(value: &Value) -> usize {

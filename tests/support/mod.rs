@@ -3,6 +3,7 @@
 
 pub mod canonical;
 pub mod cases;
+pub mod conveyed;
 pub mod hull;
 pub mod lp;
 pub mod member;
