@@ -16,6 +16,7 @@
 pub mod answer;
 pub mod case;
 pub mod cone;
+pub mod dynamics;
 pub mod exact;
 pub mod geometry;
 pub mod mechanics;

@@ -12,6 +12,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("model", &["exact", "geometry"]),
     ("mechanics", &["exact", "cone", "geometry", "model"]),
     ("answer", &["exact", "model"]),
+    ("dynamics", &["answer", "complementarity", "exact", "geometry", "model"]),
     ("planner", &["answer", "cone", "exact", "geometry", "mechanics", "model"]),
     ("case", &["exact", "geometry", "model"]),
     ("report", &["answer", "exact", "geometry", "model"]),

@@ -6,6 +6,7 @@ mod limit;
 mod pins;
 mod polyhedron;
 mod region;
+mod simulation;
 mod suggest;
 mod witness;
 
@@ -18,5 +19,8 @@ pub use pins::{
 };
 pub use polyhedron::{Polyhedron, RowFates};
 pub use region::{Arc, ArcSet, CanonicalCone, Cone, EdgeFingers, Excluded, Face, FingerSet, Interval, Region};
+pub use simulation::{
+    ContactName, ContactState, Energy, Event, Feature, Frame, ModelChoice, Simulation, SolverStatistics, Status, Touch,
+};
 pub use suggest::{Proposal, Searched, Suggestion};
 pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

@@ -1,9 +1,14 @@
-//! What a case means, in exact numbers: the part, its friction, its fixture.
+//! What a case means: the part, its friction, its fixture in exact numbers, and scenes for the time-steppers.
 
 mod conveyor;
 mod fixture;
 mod part;
+mod scene;
 
 pub use conveyor::Conveyor;
 pub use fixture::{Fixel, Fixture, Friction, Place, Range};
 pub use part::{LengthUnit, Part, Shape};
+pub use scene::{
+    Body, Compliance, Entries, Material, Obstacle, Planar, PlanarShape, Restitution, Scene, Space, Spatial,
+    SpatialShape, Timed, World,
+};

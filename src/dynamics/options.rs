@@ -1,0 +1,43 @@
+//! What a run is asked for.
+
+/// What a run is asked for besides the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Which model steps.
+    pub model: ModelKind,
+    /// Step (s), instead of the scene's.
+    pub step: Option<f64>,
+    /// Error of the final poses (m) that the automatic choice of the step aims at.
+    pub tolerance: f64,
+    /// Fastest recovery from overlap (m/s); without it the paper's φ/h.
+    pub recovery_speed: Option<f64>,
+    /// Most frames kept, evenly spaced.
+    pub frames: usize,
+    /// Most steps, substeps counted.
+    pub max_steps: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            model: ModelKind::Auto,
+            step: None,
+            tolerance: 1e-3,
+            recovery_speed: None,
+            frames: 2_000,
+            max_steps: 50_000_000,
+        }
+    }
+}
+
+/// Which model steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ModelKind {
+    /// The cheapest that the scene allows, by computed criteria.
+    #[default]
+    Auto,
+    /// Stewart and Trinkle's, equations (10)-(13), as printed.
+    StewartTrinkle,
+    /// Song, Pang and Kumar's, equations (14)-(17).
+    SongPangKumar,
+}
