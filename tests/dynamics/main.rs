@@ -1,0 +1,4 @@
+//! The time-steppers against the published scenes, closed forms and invariants.
+
+mod discrete;
+mod published;
