@@ -67,6 +67,12 @@ impl Outline {
         self.bounds = bounds;
     }
 
+    /// Longer side of the box around the outline (m).
+    pub fn size(&self) -> f64 {
+        let [low, high] = self.bounds;
+        (high[0] - low[0]).max(high[1] - low[1])
+    }
+
     /// Whether a point is within `reach` of the box around the outline.
     pub fn is_near(&self, [x, y]: [f64; 2], reach: f64) -> bool {
         let [low, high] = self.bounds;
@@ -79,61 +85,76 @@ impl Outline {
         (0..2).all(|axis| low[axis] <= own[1][axis] + reach && own[0][axis] <= high[axis] + reach)
     }
 
-    /// The closest feature to `point`, of those that lie within `reach`; `accept` says which normals will do where
-    /// several features are equally close.
+    /// The closest feature to `point` within `reach` whose normal `accept` takes.
+    ///
+    /// A point on a corner lies on two edges and, by rounding, on either side of each: where the closest feature is not
+    /// taken, an edge that is as close as rounding can tell may be.
     pub fn closest(&self, point: [f64; 2], reach: f64, accept: impl Fn([f64; 2]) -> bool) -> Option<Closest> {
-        let n = self.vertices.len();
-        let p = Vector::new(point[0], point[1]);
-        let mut best: Option<(f64, usize, SegmentPointLocation, Vector)> = None;
-        for (i, normal) in self.normals.iter().enumerate() {
-            let (a, b) = (self.vertices[i], self.vertices[if i + 1 == n { 0 } else { i + 1 }]);
-            // nearer than the line of an edge no point of it is
-            let height = dot(*normal, sub(point, a)).abs();
-            if height > reach || best.is_some_and(|(squared, ..)| height * height > squared) {
-                continue;
-            }
-            let segment = Segment::new(Vector::new(a[0], a[1]), Vector::new(b[0], b[1]));
-            let (projection, location) = segment.project_local_point_and_get_location(p, true);
-            let squared = (p - projection.point).length_squared();
-            if best.is_none_or(|(least, ..)| squared < least) {
-                best = Some((squared, i, location, projection.point));
+        let mut best: Option<(f64, Closest)> = None;
+        for edge in 0..self.vertices.len() {
+            let within = best.map_or(reach * reach, |(squared, _)| squared);
+            if let Some((squared, location, nearest)) = self.to_edge(edge, point, within) {
+                best = Some((squared, self.found(edge, location, point, nearest, squared)));
             }
         }
-        let (squared, edge, location, nearest) = best?;
-        let vertex = match location {
-            SegmentPointLocation::OnVertex(end) => (edge + end as usize) % n,
-            SegmentPointLocation::OnEdge(_) => return self.on_edge(edge, point, [nearest.x, nearest.y]),
-        };
-        self.at_vertex(vertex, point, squared.sqrt(), accept)
+        let (squared, closest) = best?;
+        let rounding = 1e-6 * self.size();
+        let is_corner = matches!(closest.feature, Feature::Vertex(_)) && squared <= rounding * rounding;
+        if !is_corner && accept(closest.normal) {
+            return Some(closest);
+        }
+        let tied =
+            (0..self.vertices.len()).filter(|edge| squared <= rounding * rounding && accept(self.normals[*edge]));
+        tied.filter_map(|edge| {
+            let (squared, _, nearest) = self.to_edge(edge, point, rounding * rounding)?;
+            Some((squared, self.on_edge(edge, point, nearest)))
+        })
+        .min_by(|(a, _), (b, _)| a.total_cmp(b))
+        .map(|(_, closest)| closest)
     }
 
-    fn on_edge(&self, edge: usize, point: [f64; 2], nearest: [f64; 2]) -> Option<Closest> {
+    /// Squared distance to an edge, where on it, and the nearest point, unless it is farther than `within` (squared).
+    fn to_edge(&self, edge: usize, point: [f64; 2], within: f64) -> Option<(f64, SegmentPointLocation, [f64; 2])> {
+        let (a, b) = (self.vertices[edge], self.vertices[if edge + 1 == self.vertices.len() { 0 } else { edge + 1 }]);
+        // nearer than the line of an edge no point of it is
+        let height = dot(self.normals[edge], sub(point, a));
+        if height * height > within {
+            return None;
+        }
+        let segment = Segment::new(Vector::new(a[0], a[1]), Vector::new(b[0], b[1]));
+        let p = Vector::new(point[0], point[1]);
+        let (projection, location) = segment.project_local_point_and_get_location(p, true);
+        let squared = (p - projection.point).length_squared();
+        (squared <= within).then_some((squared, location, [projection.point.x, projection.point.y]))
+    }
+
+    fn found(
+        &self,
+        edge: usize,
+        location: SegmentPointLocation,
+        point: [f64; 2],
+        nearest: [f64; 2],
+        squared: f64,
+    ) -> Closest {
+        let n = self.vertices.len();
+        let SegmentPointLocation::OnVertex(end) = location else {
+            return self.on_edge(edge, point, nearest);
+        };
+        let vertex = (edge + end as usize) % n;
+        let sign = if self.convex[vertex] { 1.0 } else { -1.0 };
+        let distance = squared.sqrt();
+        if distance == 0.0 {
+            return self.on_edge(edge, point, nearest);
+        }
+        let away = sub(point, nearest);
+        let normal = [sign * away[0] / distance, sign * away[1] / distance];
+        Closest { distance: sign * distance, point: nearest, normal, feature: feature(Feature::Vertex, vertex) }
+    }
+
+    fn on_edge(&self, edge: usize, point: [f64; 2], nearest: [f64; 2]) -> Closest {
         let normal = self.normals[edge];
         let distance = dot(normal, sub(point, self.vertices[edge]));
-        Some(Closest { distance, point: nearest, normal, feature: feature(Feature::Edge, edge) })
-    }
-
-    fn at_vertex(
-        &self,
-        vertex: usize,
-        point: [f64; 2],
-        distance: f64,
-        accept: impl Fn([f64; 2]) -> bool,
-    ) -> Option<Closest> {
-        let (n, at) = (self.vertices.len(), self.vertices[vertex]);
-        let before = (vertex + n - 1) % n;
-        let [low, high] = self.bounds;
-        let size = (high[0] - low[0]).max(high[1] - low[1]);
-        if distance <= 1e-9 * size {
-            // the point sits on the corner: the direction between them is rounding, an edge gives the normal
-            let edge = [before, vertex].into_iter().find(|&edge| accept(self.normals[edge]))?;
-            return self.on_edge(edge, point, at);
-        }
-        let away = sub(point, at);
-        let sign = if self.convex[vertex] { 1.0 } else { -1.0 };
-        let normal = [sign * away[0] / distance, sign * away[1] / distance];
-        let distance = sign * distance;
-        Some(Closest { distance, point: at, normal, feature: feature(Feature::Vertex, vertex) })
+        Closest { distance, point: nearest, normal, feature: feature(Feature::Edge, edge) }
     }
 
     /// Whether something that lies along the unit direction `d` from a vertex meets that vertex first: `d` is in its
@@ -163,6 +184,11 @@ pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 pub(super) fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
+}
+
+pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let away = sub(a, b);
+    dot(away, away).sqrt()
 }
 
 pub(super) fn unit(v: [f64; 2]) -> [f64; 2] {

@@ -50,19 +50,21 @@ impl<S: Mechanics> Impulses<S> {
     /// Changes `velocities` by impulses at `contacts` so that each leaves with a normal velocity of at least
     /// `-offset`, presses only where it just does, and friction opposes slip.
     ///
-    /// `offset` is `φ/h` for a step that closes gaps, `e v_n` of before for an impact; a contact each.
+    /// `offset` is `φ/h` for a step that closes gaps, `e v_n` of before for an impact; a contact each. `pressed`, where it
+    /// is not empty, is the normal impulse at each contact that acts already and that friction may count on (N s).
     pub fn solve(
         &mut self,
         world: &World<S>,
         poses: &[S::Pose],
         contacts: &[Contact<S>],
         offset: &[f64],
+        pressed: &[f64],
         velocities: &mut [S::Velocity],
     ) -> Result<Solved, Refused> {
         let n_rows = 1 + if self.directions.is_empty() { 0 } else { S::TANGENTS };
         self.weigh(world, poses, contacts);
         self.multiply(contacts, n_rows);
-        self.assemble(contacts, offset, velocities, n_rows);
+        self.assemble(contacts, offset, pressed, velocities, n_rows);
         self.complement(world, poses, contacts).inspect(|_| self.apply(contacts, velocities, n_rows))
     }
 
@@ -110,7 +112,14 @@ impl<S: Mechanics> Impulses<S> {
     }
 
     /// M and q of (12) and (13); U is diag(mu), as ERRATA reads the paper.
-    fn assemble(&mut self, contacts: &[Contact<S>], offset: &[f64], free: &[S::Velocity], n_rows: usize) {
+    fn assemble(
+        &mut self,
+        contacts: &[Contact<S>],
+        offset: &[f64],
+        pressed: &[f64],
+        free: &[S::Velocity],
+        n_rows: usize,
+    ) {
         let (n_c, n_l) = (contacts.len(), self.directions.len());
         let size = n_c * if n_l == 0 { 1 } else { n_l + 2 };
         let gram_size = n_c * n_rows;
@@ -148,6 +157,7 @@ impl<S: Mechanics> Impulses<S> {
                 self.m[bound * size + row] = -1.0;
             }
             if n_l > 0 {
+                self.q[n_c + n_c * n_l + i] = contact.material.friction * pressed.get(i).unwrap_or(&0.0);
                 self.m[(n_c + n_c * n_l + i) * size + i] = contact.material.friction;
             }
         }
@@ -179,7 +189,13 @@ impl<S: Mechanics> Impulses<S> {
             }
             impulse
         }));
-        Ok(Solved { residual: solution.residual, pivots: solution.pivots, rung: solution.rung, problems: 1 })
+        Ok(Solved {
+            residual: solution.residual,
+            pivots: solution.pivots,
+            rung: solution.rung,
+            problems: 1,
+            impacts: 0,
+        })
     }
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
@@ -201,11 +217,12 @@ pub(super) struct Solved {
     pub pivots: usize,
     pub rung: Rung,
     pub problems: usize,
+    pub impacts: usize,
 }
 
 impl Solved {
     pub fn nothing() -> Self {
-        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0 }
+        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0 }
     }
 
     /// Adds the work of another problem of the same step.
@@ -214,6 +231,7 @@ impl Solved {
         self.pivots += other.pivots;
         self.rung = self.rung.max(other.rung);
         self.problems += other.problems;
+        self.impacts += other.impacts;
     }
 }
 

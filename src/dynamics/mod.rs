@@ -2,10 +2,14 @@
 
 mod collide;
 mod contact;
+mod impact;
 mod impulses;
 mod mechanics;
+mod moreau;
+mod nearby;
 mod options;
 mod planar;
+mod project;
 mod run;
 mod spatial;
 mod state;
@@ -17,6 +21,7 @@ pub use options::{ModelKind, Options};
 
 use crate::answer::{ModelChoice, Simulation};
 use crate::model::World;
+use moreau::Moreau;
 use stewart_trinkle::StewartTrinkle;
 
 /// Runs a scene.
@@ -28,7 +33,14 @@ pub fn simulate<S: Mechanics>(
     watch: &mut dyn FnMut(f64) -> bool,
 ) -> Simulation<S> {
     let step = options.step.or(world.step).unwrap_or(1e-3);
-    let model = ModelChoice { chosen: "st", step, ..ModelChoice::default() };
-    let mut stepper = StewartTrinkle::new(world, options.recovery_speed.unwrap_or(f64::INFINITY));
-    run::run(world, options, model, &mut stepper, watch)
+    let model = |chosen| ModelChoice { chosen, step, ..ModelChoice::default() };
+    match options.model {
+        ModelKind::Auto | ModelKind::Moreau => {
+            run::run(world, options, model("moreau"), &mut Moreau::new(world), watch)
+        }
+        _ => {
+            let mut stepper = StewartTrinkle::new(world, options.recovery_speed.unwrap_or(f64::INFINITY));
+            run::run(world, options, model("st"), &mut stepper, watch)
+        }
+    }
 }

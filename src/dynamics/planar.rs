@@ -1,6 +1,6 @@
 //! Mechanics in the plane: three velocities a body, contacts of polygons, discs, points and half planes.
 
-use super::collide::{Outline, dot, sub};
+use super::collide::{Outline, distance, dot, sub};
 use super::contact::Contact;
 use super::mechanics::{Contacts, Mechanics};
 use crate::answer::{ContactName, Feature};
@@ -174,19 +174,20 @@ impl Pair<'_> {
         if !p.is_near_box(q.bounds, self.reach) {
             return;
         }
-        let reach = self.reach;
+        let (reach, first) = (self.reach, self.out.len());
         for (i, v) in p.vertices.iter().enumerate().filter(|(i, v)| p.convex[*i] && q.is_near(**v, reach)) {
             let closest = q.closest(*v, reach, |normal| p.sees(i, [-normal[0], -normal[1]]));
-            if let Some(near) = closest.filter(|near| p.sees(i, [-near.normal[0], -near.normal[1]])) {
+            if let Some(near) = closest {
                 self.push(near.distance, *v, near.normal, [vertex(a, i), shifted(near.feature, b)]);
             }
         }
         for (i, v) in q.vertices.iter().enumerate().filter(|(i, v)| q.convex[*i] && p.is_near(**v, reach)) {
             let closest = p.closest(*v, reach, |normal| q.sees(i, [-normal[0], -normal[1]]));
             let is_edge = |feature| matches!(feature, Feature::Edge(_));
-            if let Some(near) =
-                closest.filter(|near| is_edge(near.feature) && q.sees(i, [-near.normal[0], -near.normal[1]]))
-            {
+            // corner on corner is one contact, not one for each side
+            let rounding = 1e-6 * q.size();
+            let is_known = || self.out[first..].iter().any(|contact| distance(contact.point, *v) <= rounding);
+            if let Some(near) = closest.filter(|near| is_edge(near.feature) && !is_known()) {
                 let into = [-near.normal[0], -near.normal[1]];
                 self.push(near.distance, *v, into, [shifted(near.feature, a), vertex(b, i)]);
             }

@@ -103,6 +103,7 @@ impl<S: Mechanics> Log<S> {
         self.solver.steps += 1;
         self.solver.problems += solved.problems;
         self.solver.pivots += solved.pivots;
+        self.solver.impacts += solved.impacts;
         self.solver.residual = self.solver.residual.max(solved.residual);
         if solved.problems > 0 {
             self.rungs[solved.rung as usize] += 1;

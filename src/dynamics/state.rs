@@ -55,10 +55,15 @@ impl<S: Mechanics> State<S> {
 
     /// Kinetic and potential energy of the free bodies (J).
     pub fn energy(&self, world: &World<S>) -> f64 {
+        let bodies = world.bodies.iter().zip(&self.poses).filter(|(body, _)| !body.is_kinematic);
+        let potential: f64 = bodies.map(|(body, pose)| body.mass * S::potential(&world.gravity, pose)).sum();
+        self.kinetic_energy(world) + potential
+    }
+
+    /// Kinetic energy of the free bodies (J).
+    pub fn kinetic_energy(&self, world: &World<S>) -> f64 {
         let bodies = world.bodies.iter().zip(&self.poses).zip(&self.velocities);
-        let energy = bodies.filter(|((body, _), _)| !body.is_kinematic).map(|((body, pose), velocity)| {
-            0.5 * dot(velocity, &S::momentum(body, pose, velocity)) + body.mass * S::potential(&world.gravity, pose)
-        });
-        energy.sum()
+        let free = bodies.filter(|((body, _), _)| !body.is_kinematic);
+        free.map(|((body, pose), velocity)| 0.5 * dot(velocity, &S::momentum(body, pose, velocity))).sum()
     }
 }

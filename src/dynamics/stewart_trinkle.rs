@@ -3,6 +3,7 @@
 use super::contact::Contact;
 use super::impulses::{Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
+use super::nearby::Nearby;
 use super::state::State;
 use super::stepper::Stepper;
 use crate::model::World;
@@ -11,8 +12,7 @@ use crate::model::World;
 #[derive(Debug)]
 pub(super) struct StewartTrinkle<'w, S: Mechanics> {
     world: &'w World<S>,
-    outlines: S::Outlines,
-    radii: Vec<f64>,
+    nearby: Nearby<'w, S>,
     impulses: Impulses<S>,
     /// Every pair of features near enough to touch in the step.
     contacts: Vec<Contact<S>>,
@@ -23,15 +23,18 @@ pub(super) struct StewartTrinkle<'w, S: Mechanics> {
     free: Vec<S::Velocity>,
     velocities: Vec<S::Velocity>,
     recovery_speed: f64,
+    /// A gap up to this counts as touching (m).
+    touching: f64,
 }
 
 impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
     /// `recovery_speed` bounds the speed at which overlaps are undone (m/s); infinite for the paper's φ/h.
     pub fn new(world: &'w World<S>, recovery_speed: f64) -> Self {
+        let nearby = Nearby::new(world);
         Self {
             world,
-            outlines: S::outlines(world),
-            radii: world.bodies.iter().map(S::radius).collect(),
+            touching: 1e-9 * nearby.size().min(1e3),
+            nearby,
             impulses: Impulses::new(world),
             contacts: Vec::new(),
             pressed: Vec::new(),
@@ -49,19 +52,22 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
         let recovery_speed = self.recovery_speed;
         let gap_speed = |contact: &Contact<S>| (contact.gap / h).max(-recovery_speed);
         self.velocities.clone_from(&self.free);
+        // what was pressed and still touches is likely to be again: the last basis then fits at once
+        let (last, touching) = (&self.pressed, self.touching);
+        let was_pressed = |contact: &Contact<S>| last.iter().any(|last| last.name == contact.name);
         self.is_pressed.clear();
-        self.is_pressed.resize(self.contacts.len(), false);
+        self.is_pressed.extend(self.contacts.iter().map(|contact| contact.gap <= touching && was_pressed(contact)));
         self.pressed.clear();
         let mut total = Solved::nothing();
+        let mut grown = self.is_pressed.contains(&true);
         loop {
-            let mut grown = false;
             for (contact, is_pressed) in self.contacts.iter().zip(&mut self.is_pressed) {
                 let closes = || contact.velocity(0, &self.velocities) + gap_speed(contact) < 0.0;
                 if !*is_pressed && closes() {
                     (*is_pressed, grown) = (true, true);
                 }
             }
-            if !grown {
+            if !std::mem::take(&mut grown) {
                 return Ok(total);
             }
             let pressed = self.contacts.iter().zip(&self.is_pressed).filter(|(_, is_pressed)| **is_pressed);
@@ -70,31 +76,27 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
             self.offsets.clear();
             self.offsets.extend(self.pressed.iter().map(|contact| gap_speed(contact)));
             self.velocities.clone_from(&self.free);
-            total.add(self.impulses.solve(self.world, poses, &self.pressed, &self.offsets, &mut self.velocities)?);
+            total.add(self.impulses.solve(
+                self.world,
+                poses,
+                &self.pressed,
+                &self.offsets,
+                &[],
+                &mut self.velocities,
+            )?);
         }
-    }
-
-    /// A distance beyond which no pair of features meets in a step at these velocities (m).
-    fn reach(&self, velocities: &[S::Velocity], h: f64) -> f64 {
-        let (mut first, mut second) = (0.0_f64, 0.0_f64);
-        for (radius, velocity) in self.radii.iter().zip(velocities) {
-            let speed = S::fastest(*radius, velocity);
-            (first, second) = if speed > first { (speed, first) } else { (first, second.max(speed)) };
-        }
-        let swept = 1.1 * h * (first + second);
-        self.world.margin.map_or(swept, |margin| margin.max(swept))
     }
 }
 
 impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
         state.free(self.world, h, &mut self.free);
-        let mut reach = self.reach(&state.velocities, h).max(self.reach(&self.free, h));
+        let mut reach = self.nearby.reach(&state.velocities, h).max(self.nearby.reach(&self.free, h));
         loop {
-            S::contacts(&mut self.outlines, self.world, &state.poses, reach, &mut self.contacts);
+            self.nearby.find(&state.poses, reach, &mut self.contacts);
             let solved = self.press(&state.poses, h)?;
             // impulses may have made a body faster than the reach of the contacts allows for
-            let needed = self.reach(&self.velocities, h);
+            let needed = self.nearby.reach(&self.velocities, h);
             if needed <= reach {
                 state.advance(h, 1.0, &self.velocities);
                 state.time += h;
