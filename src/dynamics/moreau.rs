@@ -6,7 +6,7 @@
 
 use super::contact::Contact;
 use super::impact::Impact;
-use super::impulses::{Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::project::{Held, project};
@@ -63,7 +63,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
         Self {
             world,
             nearby,
-            impulses: Impulses::new(world),
+            impulses: Impulses::new(world, FrictionCone::Disc),
             current: State::start(world),
             trial: State::start(world),
             here: Vec::new(),

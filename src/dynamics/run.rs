@@ -1,7 +1,7 @@
 //! A run from start to end: steps, and what is worth keeping of them.
 
 use super::contact::{Contact, dot};
-use super::impulses::{Refused, Solved};
+use super::impulses::{Refused, SLIPPING, Solved};
 use super::mechanics::Mechanics;
 use super::options::Options;
 use super::state::State;
@@ -213,13 +213,8 @@ fn contact_state<S: Mechanics>(contact: &Contact<S>, impulse: [f64; 3], velociti
         return ContactState::Open;
     }
     let slip = (1..=S::TANGENTS).map(|row| contact.velocity(row, velocities).powi(2)).sum::<f64>().sqrt();
-    let speeds: f64 = contact.sides().map(|(body, rows)| size(&rows.as_ref()[1], &velocities[body])).sum();
-    if slip > 1e-9 * speeds + 1e-12 { ContactState::Slip } else { ContactState::Stick }
-}
-
-/// Σ |a_i b_i|.
-fn size<E: AsRef<[f64]>>(a: &E, b: &E) -> f64 {
-    a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| (a * b).abs()).sum()
+    let is_slipping = slip > SLIPPING * contact.speed(velocities) + 1e-12;
+    if is_slipping { ContactState::Slip } else { ContactState::Stick }
 }
 
 /// Work of applied wrenches, moving surfaces and kinematic bodies in a step (J).

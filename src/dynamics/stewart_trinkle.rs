@@ -1,7 +1,7 @@
 //! Stewart and Trinkle's step, equations (10)-(13): semi-implicit, gaps closed at the end of the step.
 
 use super::contact::Contact;
-use super::impulses::{Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::state::State;
@@ -35,7 +35,7 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
             world,
             touching: 1e-9 * nearby.size().min(1e3),
             nearby,
-            impulses: Impulses::new(world),
+            impulses: Impulses::new(world, FrictionCone::Edges),
             contacts: Vec::new(),
             pressed: Vec::new(),
             is_pressed: Vec::new(),
