@@ -19,8 +19,8 @@ pub enum Verdict<'a> {
 pub struct Solution<'a> {
     /// The variables; on [`Rung::Exact`] and after it the doubles nearest to `exact`.
     pub z: &'a [f64],
-    /// [`Lcp::residual`](super::Lcp::residual) of `z`, at most [`ACCEPTED_RESIDUAL`](super::ACCEPTED_RESIDUAL) on the
-    /// rungs in doubles.
+    /// The bound of [`Lcp::residual`](super::Lcp::residual) for `z`, at most
+    /// [`ACCEPTED_RESIDUAL`](super::ACCEPTED_RESIDUAL) on the rungs in doubles.
     pub residual: f64,
     /// Pivots on all rungs together.
     pub pivots: usize,
@@ -124,10 +124,5 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         Self { first: Rung::Free, pivots_per_variable: 60, exact_pivots: 10_000, cases: 4096 }
-    }
-}
-impl Rung {
-    pub fn name(self) -> &'static str {
-        ["free", "warm", "lemke", "refined", "scaled", "covers", "newton", "exact", "cases"][self as usize]
     }
 }
