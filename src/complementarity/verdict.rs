@@ -68,6 +68,22 @@ impl Rung {
         Self::Exact,
         Self::Cases,
     ];
+
+    /// Its name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Warm => "warm",
+            Self::Lemke => "lemke",
+            Self::Refined => "refined",
+            Self::Scaled => "scaled",
+            Self::Covers => "covers",
+            Self::Newton => "newton",
+            Self::Exact => "exact",
+            Self::Cases => "cases",
+        }
+    }
 }
 
 /// Why a problem has no solution; a reader can check it with sums and signs alone.

@@ -1,6 +1,5 @@
 //! The time-steppers against the published scenes, closed forms and invariants.
 
-mod dbg;
 mod discrete;
 mod peers;
 mod published;
