@@ -6,6 +6,7 @@ mod impulses;
 mod mechanics;
 mod options;
 mod planar;
+mod planar_follow;
 mod run;
 mod spatial;
 mod state;
