@@ -179,7 +179,8 @@ impl<S: Mechanics> Impulses<S> {
             }
             impulse
         }));
-        Ok(Solved { residual: solution.residual, pivots: solution.pivots, rung: solution.rung, problems: 1 })
+        let (residual, pivots, rung) = (solution.residual, solution.pivots, solution.rung);
+        Ok(Solved { residual, pivots, rung, problems: 1, fallbacks: Fallbacks::default() })
     }
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
@@ -201,11 +202,21 @@ pub(super) struct Solved {
     pub pivots: usize,
     pub rung: Rung,
     pub problems: usize,
+    pub fallbacks: Fallbacks,
+}
+
+/// What a step needed besides its first attempt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Fallbacks {
+    /// Problems that the answers for shorter steps led to.
+    pub continued: usize,
+    /// Steps that were halved.
+    pub divided: usize,
 }
 
 impl Solved {
     pub fn nothing() -> Self {
-        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0 }
+        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, fallbacks: Fallbacks::default() }
     }
 
     /// Adds the work of another problem of the same step.
@@ -214,6 +225,8 @@ impl Solved {
         self.pivots += other.pivots;
         self.rung = self.rung.max(other.rung);
         self.problems += other.problems;
+        self.fallbacks.continued += other.fallbacks.continued;
+        self.fallbacks.divided += other.fallbacks.divided;
     }
 }
 
@@ -226,6 +239,10 @@ pub(super) enum Refused {
     Undecided(Undecided),
     /// The numbers are no problem at all: something overflowed.
     Broken(LcpError),
+    /// The equation of a compliant step was not solved, however short the step.
+    Unsolved,
+    /// A contact so soft that a body would be `depth` deep in another, beyond `half` its thickness (m).
+    TooSoft { depth: f64, half: f64 },
 }
 
 impl From<LcpError> for Refused {

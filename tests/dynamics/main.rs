@@ -2,3 +2,4 @@
 
 mod discrete;
 mod published;
+mod spk_published;
