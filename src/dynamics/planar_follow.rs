@@ -143,7 +143,8 @@ struct Motion {
 
 impl Motion {
     fn new(from: Option<&[f64; 3]>, to: Option<&[f64; 3]>) -> Self {
-        let ([x, y, angle], [to_x, to_y, to_angle]) = (from.copied().unwrap_or_default(), to.copied().unwrap_or_default());
+        let ([x, y, angle], [to_x, to_y, to_angle]) =
+            (from.copied().unwrap_or_default(), to.copied().unwrap_or_default());
         let (sine, cosine) = if to_angle == angle { (0.0, 1.0) } else { libm::sincos(to_angle - angle) };
         Self { from: [x, y], to: [to_x, to_y], sine, cosine }
     }

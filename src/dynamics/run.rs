@@ -173,7 +173,9 @@ impl<S: Mechanics> Log<S> {
             }
             Refused::Undecided(_) => ("the contact problem was not decided at a limit", Status::Partial),
             Refused::Broken(_) => ("the velocities grew beyond all bounds", Status::Partial),
-            Refused::Unsolved => ("the forces of compliant contacts were not found, however short the step", Status::Partial),
+            Refused::Unsolved => {
+                ("the forces of compliant contacts were not found, however short the step", Status::Partial)
+            }
             Refused::TooSoft { depth, half } => {
                 self.notes.push(format!(
                     "at {time} s a contact is about to give way by up to {depth} m, more than half the thickness, \
@@ -223,7 +225,11 @@ impl<S: Mechanics> Log<S> {
 }
 
 /// Open without a force, stick without slip; slip is told from rounding by the speeds that meet at the contact.
-pub(super) fn contact_state<S: Mechanics>(contact: &Contact<S>, impulse: [f64; 3], velocities: &[S::Velocity]) -> ContactState {
+pub(super) fn contact_state<S: Mechanics>(
+    contact: &Contact<S>,
+    impulse: [f64; 3],
+    velocities: &[S::Velocity],
+) -> ContactState {
     if impulse == [0.0; 3] {
         return ContactState::Open;
     }

@@ -49,14 +49,18 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
         let mut outlines = S::outlines(world);
         let start = State::start(world);
         let (mut contacts, mut newton, mut memory) = (Vec::new(), Newton::new(), Memory::default());
-        S::contacts(&mut outlines, world, &start.poses, 0.0, &mut contacts);
+        // overlaps may be as deep as bodies are large
+        let radii: Vec<f64> = world.bodies.iter().map(S::radius).collect();
+        let largest = radii.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
+        S::contacts(&mut outlines, world, &start.poses, largest, &mut contacts);
+        contacts.retain(|contact| contact.gap < 0.0);
         memory.recall(&contacts, 1.0, &mut newton.joints);
         memory.hold(&newton.joints);
         let shapes = world.bodies.iter().map(|body| &body.shape).chain(world.fixed.iter().map(|fixed| &fixed.shape));
         Self {
             world,
             outlines,
-            radii: world.bodies.iter().map(S::radius).collect(),
+            radii,
             half_thickness: shapes.map(S::half_thickness).collect(),
             second_order,
             newton,
@@ -181,7 +185,8 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
             if approach * h <= contact.gap {
                 continue;
             }
-            let inverse_mass: f64 = contact.sides().map(|(body, rows)| self.mobility(state, body, &rows.as_ref()[0])).sum();
+            let inverse_mass: f64 =
+                contact.sides().map(|(body, rows)| self.mobility(state, body, &rows.as_ref()[0])).sum();
             let mass = 1.0 / inverse_mass;
             let depth = approach * (mass / compliance.stiffness[0]).sqrt().min(mass / compliance.damping[0]);
             let half = self.half_thickness[contact.name.body].min(self.half_thickness[contact.name.other]);
@@ -215,14 +220,15 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
         dot(row, &S::weighed(&self.world.bodies[body], &state.poses[body], row))
     }
 
-    /// A distance beyond which no pair of features meets in a step at these velocities (m).
+    /// A distance beyond which no pair of features meets in a step at these velocities (m); pairs that overlap are
+    /// within it too.
     fn reach(&self, velocities: &[S::Velocity], h: f64) -> f64 {
         let (mut first, mut second) = (0.0_f64, 0.0_f64);
         for (radius, velocity) in self.radii.iter().zip(velocities) {
             let speed = S::fastest(*radius, velocity);
             (first, second) = if speed > first { (speed, first) } else { (first, second.max(speed)) };
         }
-        let swept = 1.1 * h * (first + second);
+        let swept = 1.1 * h * (first + second) + self.memory.deepest();
         self.world.margin.map_or(swept, |margin| margin.max(swept))
     }
 }

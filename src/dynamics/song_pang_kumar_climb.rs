@@ -56,7 +56,8 @@ impl<S: Mechanics> Newton<S> {
             found = solve(self, 0, Guess::Free);
         }
         let continued = found.is_none();
-        if continued && let Some(start) = (1..=PREDICTORS).find(|halvings| solve(self, -halvings, Guess::Free).is_some())
+        if continued
+            && let Some(start) = (1..=PREDICTORS).find(|halvings| solve(self, -halvings, Guess::Free).is_some())
         {
             for halvings in (0..start).rev() {
                 found = solve(self, -halvings, Guess::Kept);

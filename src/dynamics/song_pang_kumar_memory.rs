@@ -101,6 +101,11 @@ impl Memory {
         self.entries.iter().map(of).sum()
     }
 
+    /// Deepest overlap of the contacts when last seen (m), not negative.
+    pub fn deepest(&self) -> f64 {
+        self.entries.iter().map(|entry| -entry.gap).fold(0.0, f64::max)
+    }
+
     /// The deformations by contact.
     pub fn deformations(&self) -> impl Iterator<Item = (ContactName, [f64; 3])> {
         self.entries.iter().map(|entry| (entry.name, entry.delta))

@@ -104,13 +104,7 @@ impl Mechanics for Spatial {
         (x * x + y * y + z * z).sqrt() + radius * (wx * wx + wy * wy + wz * wz).sqrt()
     }
 
-    fn follow(
-        (): &(),
-        world: &World<Self>,
-        found: &Contact<Self>,
-        _: &[[f64; 7]],
-        to: &[[f64; 7]],
-    ) -> Contact<Self> {
+    fn follow((): &(), world: &World<Self>, found: &Contact<Self>, _: &[[f64; 7]], to: &[[f64; 7]]) -> Contact<Self> {
         meeting(world, to, found.name).map_or(*found, |meeting| contact(world, to, found.name, meeting))
     }
 
@@ -164,8 +158,7 @@ impl Pair<'_> {
 
     fn push(&mut self, meeting: Meeting, feature: Feature) {
         if meeting.0 <= self.reach {
-            let name =
-                ContactName { body: self.body, feature, other: self.other, other_feature: Feature::Surface(0) };
+            let name = ContactName { body: self.body, feature, other: self.other, other_feature: Feature::Surface(0) };
             self.out.push(contact(self.world, self.poses, name, meeting));
         }
     }

@@ -2,4 +2,6 @@
 
 mod discrete;
 mod published;
+mod spk_accuracy;
 mod spk_published;
+mod spk_robust;

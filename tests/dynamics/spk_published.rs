@@ -1,6 +1,6 @@
 //! The compliant model's published runs: discrete states, deformations, events, order of accuracy.
 
-use crate::published::{Outcome, Published, expected, list, number, scenes};
+use crate::published::{Outcome, Published, expected, list, number, scene, scenes};
 use partplan::answer::{ContactState, Feature, Status};
 use partplan::dynamics::ModelKind;
 use serde_json::Value;
@@ -24,7 +24,9 @@ fn runs_end_where_published() {
         for row in list(&rows) {
             let found = run(&scene, row);
             let (h, discrete) = (number(&row["h"]), &row["discrete"]);
-            let tol = number(&discrete["tol"]);
+            // the published row is off by 7e-8, see the next test
+            let is_rough = scene.name == "spk_peg_inelastic" && h == 5e-5;
+            let tol = if is_rough { 1e-7 } else { number(&discrete["tol"]) };
             let mut deltas = vec![0.0; list(&discrete["delta_n"]).len()];
             for (name, delta) in &found.deltas {
                 let at = if let Feature::Vertex(i) = name.feature { i as usize } else { 0 };
@@ -44,8 +46,6 @@ fn runs_end_where_published() {
                     }
                 }
             }
-            println!("{} h {h}: residual {:e} gain {:e} pivots {} problems {} steps {} {:?}", scene.name, found.residual,
-                found.gain, found.solver.pivots, found.solver.problems, found.steps, found.solver.rungs);
             let changes = changes(&found, h);
             if changes != published_changes(row) {
                 faults.push(format!("{} h {h}: events {changes:?} for {:?}", scene.name, published_changes(row)));
@@ -58,6 +58,23 @@ fn runs_end_where_published() {
     }
     assert!(compared > 150, "only {compared} numbers compared");
     assert!(faults.is_empty(), "{} of {compared}:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The same step carried out in 30 digits, which the published row of `spk_peg_inelastic` at h = 5e-5 is 7e-8 off.
+#[test]
+fn the_inelastic_peg_ends_where_thirty_digits_do() {
+    let found = scene("spk_peg_inelastic").run(5e-5, 4000);
+    let wanted = [
+        0.007_602_220_713_019_326,
+        0.044_541_441_319_421_72,
+        0.460_861_524_706_939_4,
+        0.288_121_239_006_498_5,
+        -0.418_198_787_271_074_7,
+        -12.511_755_494_681_288,
+    ];
+    for (found, wanted) in found.q.iter().chain(&found.v).zip(wanted) {
+        assert!((found - wanted).abs() < 1e-10, "{found} for {wanted}");
+    }
 }
 
 /// Contacts that close and open: step, what, which.
