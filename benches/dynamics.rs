@@ -31,10 +31,10 @@ fn measure<S: Mechanics>(scene: &str, world: &World<S>, error: impl Fn(&Simulati
         for h in [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4] {
             let options = Options { model, step: Some(h), frames: 2, ..Options::default() };
             let all = Options { frames: usize::MAX, ..options.clone() };
-            let run = simulate(world, &all, &mut |_| true);
+            let run = simulate(world, &all, &mut |_| true).unwrap();
             let error = error(&run);
             let time = median(|| {
-                std::hint::black_box(simulate(world, &options, &mut |_| true));
+                std::hint::black_box(simulate(world, &options, &mut |_| true).unwrap());
             });
             println!(
                 "{scene:24} {name:8} {h:>8}  {error:>9.1e} {:>9.3} {:>11.4} {:>7}",

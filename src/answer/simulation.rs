@@ -15,6 +15,8 @@ pub struct Simulation<S: Space> {
     pub frames: Vec<Frame<S>>,
     /// What changed at contacts, by time.
     pub events: Vec<Event>,
+    /// Deformation of compliant contacts at the end, along n, t and o (m); also of those that are open and still heal.
+    pub deformations: Vec<(ContactName, [f64; 3])>,
     /// Energy at the start, at the end and on the way.
     pub energy: Energy,
     /// Deepest overlap met (m), not negative, and when (s).

@@ -260,13 +260,8 @@ impl<S: Mechanics> Impulses<S> {
             }
             impulse
         }));
-        Ok(Solved {
-            residual: solution.residual,
-            pivots: solution.pivots,
-            rung: solution.rung,
-            problems: 1,
-            impacts: 0,
-        })
+        let (residual, pivots, rung) = (solution.residual, solution.pivots, solution.rung);
+        Ok(Solved { residual, pivots, rung, problems: 1, ..Solved::nothing() })
     }
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
@@ -289,11 +284,22 @@ pub(super) struct Solved {
     pub rung: Rung,
     pub problems: usize,
     pub impacts: usize,
+    pub fallbacks: Fallbacks,
+}
+
+/// What a step needed besides its first attempt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Fallbacks {
+    /// Problems that the answers for shorter steps led to.
+    pub continued: usize,
+    /// Steps that were halved.
+    pub divided: usize,
 }
 
 impl Solved {
     pub fn nothing() -> Self {
-        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0 }
+        let fallbacks = Fallbacks::default();
+        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0, fallbacks }
     }
 
     /// Adds the work of another problem of the same step.
@@ -303,6 +309,8 @@ impl Solved {
         self.rung = self.rung.max(other.rung);
         self.problems += other.problems;
         self.impacts += other.impacts;
+        self.fallbacks.continued += other.fallbacks.continued;
+        self.fallbacks.divided += other.fallbacks.divided;
     }
 }
 
@@ -315,6 +323,10 @@ pub(super) enum Refused {
     Undecided(Undecided),
     /// The numbers are no problem at all: something overflowed.
     Broken(LcpError),
+    /// The equation of a compliant step was not solved, however short the step.
+    Unsolved,
+    /// A contact so soft that a body would be `depth` deep in another, beyond `half` its thickness (m).
+    TooSoft { depth: f64, half: f64 },
 }
 
 impl From<LcpError> for Refused {

@@ -3,3 +3,6 @@
 mod discrete;
 mod peers;
 mod published;
+mod spk_accuracy;
+mod spk_published;
+mod spk_robust;
