@@ -148,6 +148,8 @@ pub struct SolverStatistics {
     pub residual: f64,
     /// Impacts located.
     pub impacts: usize,
+    /// Largest speed at which features met in an impact (m/s).
+    pub fastest_impact: f64,
     /// Steps that had to be repeated smaller.
     pub subdivided: usize,
 }

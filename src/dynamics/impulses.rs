@@ -41,6 +41,9 @@ pub(super) struct Impulses<S: Mechanics> {
     q: Vec<f64>,
     warm: Basis,
     warm_names: Vec<ContactName>,
+    /// Whether a contact of a problem since this was last reset is pressed harder by its own friction the more it pushes,
+    /// A_nn < μ |A_nt|: then forces may not exist or not be unique.
+    pub is_suspect: bool,
     /// Impulses along n, t and o of the last problem, a contact each (N s).
     pub answer: Vec<[f64; 3]>,
 }
@@ -70,6 +73,7 @@ impl<S: Mechanics> Impulses<S> {
             q: Vec::new(),
             warm: Basis::default(),
             warm_names: Vec::new(),
+            is_suspect: false,
             answer: Vec::new(),
         }
     }
@@ -91,6 +95,7 @@ impl<S: Mechanics> Impulses<S> {
         let n_rows = 1 + if self.directions.is_empty() { 0 } else { S::TANGENTS };
         self.weigh(world, poses, contacts);
         self.multiply(contacts, n_rows);
+        self.is_suspect |= self.suspects(contacts, n_rows);
         self.edges.clear();
         contacts.iter().for_each(|_| self.edges.extend_from_slice(&self.directions));
         if self.cone == FrictionCone::Edges || n_rows == 1 {
@@ -180,6 +185,16 @@ impl<S: Mechanics> Impulses<S> {
                 }
             }
         }
+    }
+
+    /// Whether some A_nn < μ |A_nt|.
+    fn suspects(&self, contacts: &[Contact<S>], n_rows: usize) -> bool {
+        let size = contacts.len() * n_rows;
+        contacts.iter().enumerate().any(|(i, contact)| {
+            let row = &self.gram[i * n_rows * size + i * n_rows..][..n_rows];
+            let tangential: f64 = row[1..].iter().map(|a| a * a).sum();
+            row[0] * row[0] < contact.material.friction.powi(2) * tangential
+        })
     }
 
     /// M and q of (12) and (13); U is diag(mu), as ERRATA reads the paper.
@@ -284,6 +299,7 @@ pub(super) struct Solved {
     pub rung: Rung,
     pub problems: usize,
     pub impacts: usize,
+    pub fastest_impact: f64,
     pub fallbacks: Fallbacks,
 }
 
@@ -299,7 +315,7 @@ pub(super) struct Fallbacks {
 impl Solved {
     pub fn nothing() -> Self {
         let fallbacks = Fallbacks::default();
-        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0, fallbacks }
+        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0, fastest_impact: 0.0, fallbacks }
     }
 
     /// Adds the work of another problem of the same step.
@@ -309,6 +325,7 @@ impl Solved {
         self.rung = self.rung.max(other.rung);
         self.problems += other.problems;
         self.impacts += other.impacts;
+        self.fastest_impact = self.fastest_impact.max(other.fastest_impact);
         self.fallbacks.continued += other.fallbacks.continued;
         self.fallbacks.divided += other.fallbacks.divided;
     }

@@ -59,6 +59,10 @@ pub trait Mechanics: Space {
     #[doc(hidden)]
     fn potential(gravity: &Self::Vector, pose: &Self::Pose) -> f64;
 
+    /// A distance that no point of a body of this radius is farther from in one pose than in the other (m).
+    #[doc(hidden)]
+    fn separation(radius: f64, a: &Self::Pose, b: &Self::Pose) -> f64;
+
     /// A distance that no point of the body is farther away from its center of mass (m).
     #[doc(hidden)]
     fn radius(body: &Body<Self>) -> f64;

@@ -4,10 +4,13 @@ mod collide;
 mod contact;
 mod impact;
 mod impulses;
+mod judge;
+mod ladder;
 mod mechanics;
 mod moreau;
 mod nearby;
 mod options;
+mod paradox;
 mod planar;
 mod planar_follow;
 mod project;
@@ -59,8 +62,7 @@ pub fn simulate<S: Mechanics>(
             let mut stepper = StewartTrinkle::new(world, options.recovery_speed.unwrap_or(f64::INFINITY));
             Ok(run::run(world, options, choice("st"), &mut stepper, watch))
         }
-        ModelKind::Auto | ModelKind::Moreau => {
-            Ok(run::run(world, options, choice("moreau"), &mut Moreau::new(world), watch))
-        }
+        ModelKind::Auto => ladder::climb(world, options, watch),
+        ModelKind::Moreau => Ok(run::run(world, options, choice("moreau"), &mut Moreau::new(world), watch)),
     }
 }

@@ -105,6 +105,10 @@ impl Mechanics for Planar {
         -(gravity[0] * pose[0] + gravity[1] * pose[1])
     }
 
+    fn separation(radius: f64, a: &[f64; 3], b: &[f64; 3]) -> f64 {
+        distance([a[0], a[1]], [b[0], b[1]]) + radius * (a[2] - b[2]).abs()
+    }
+
     fn radius(body: &Body<Self>) -> f64 {
         let farthest = |piece: &Piece| match &piece.kind {
             Kind::Polygon(outline) => outline.vertices.iter().map(|v| dot(*v, *v).sqrt()).fold(0.0, f64::max),

@@ -2,6 +2,7 @@
 
 use super::contact::{Contact, dot};
 use super::impulses::{Refused, SLIPPING, Solved};
+use super::judge::Judge;
 use super::mechanics::Mechanics;
 use super::options::Options;
 use super::state::State;
@@ -27,6 +28,8 @@ pub(super) fn run<S: Mechanics>(
     let mut before = state.clone();
     let mut status = Status::Complete;
     log.keep(&state, stepper);
+    let mut judge = Judge::new(world);
+    log.notes.extend(judge.overlap(&state));
     for index in 0..n_steps {
         if index >= options.max_steps || !watch(state.time) {
             status = Status::Partial;
@@ -37,7 +40,13 @@ pub(super) fn run<S: Mechanics>(
         let length = if (end - state.time - h).abs() <= 1e-9 * h { h } else { end - state.time };
         before.clone_from(&state);
         match stepper.step(&mut state, length) {
-            Ok(solved) => log.step(world, &before, &state, stepper, solved),
+            Ok(solved) => {
+                log.step(world, &before, &state, stepper, solved);
+                if let Some((judged, note)) = judge.step(&before, stepper.is_suspect(), &log.held) {
+                    status = judged;
+                    log.notes.push(note);
+                }
+            }
             Err(refused) => {
                 status = log.refused(state.time, &refused);
                 break;
@@ -106,6 +115,7 @@ impl<S: Mechanics> Log<S> {
         self.solver.problems += solved.problems;
         self.solver.pivots += solved.pivots;
         self.solver.impacts += solved.impacts;
+        self.solver.fastest_impact = self.solver.fastest_impact.max(solved.fastest_impact);
         self.solver.residual = self.solver.residual.max(solved.residual);
         self.solver.subdivided += solved.fallbacks.divided;
         self.continued += solved.fallbacks.continued;

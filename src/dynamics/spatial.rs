@@ -92,6 +92,12 @@ impl Mechanics for Spatial {
         -(gravity[0] * pose[0] + gravity[1] * pose[1] + gravity[2] * pose[2])
     }
 
+    fn separation(radius: f64, a: &[f64; 7], b: &[f64; 7]) -> f64 {
+        let away = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        let cosine: f64 = a[3..].iter().zip(&b[3..]).map(|(a, b)| a * b).sum();
+        dot(away, away).sqrt() + 2.0 * radius * libm::acos(cosine.abs().min(1.0))
+    }
+
     fn radius(body: &Body<Self>) -> f64 {
         match &body.shape {
             SpatialShape::Sphere { center, radius } => dot(*center, *center).sqrt() + radius,

@@ -18,6 +18,11 @@ pub(super) trait Stepper<S: Mechanics> {
     /// Deepest overlap at the start of the last step (m), not negative.
     fn deepest(&self) -> f64;
 
+    /// Whether the forces of the last step may not exist or not be unique, by the sign of A_nn - μ |A_nt| at a contact.
+    fn is_suspect(&self) -> bool {
+        false
+    }
+
     /// Energy of local deformation after the last step (J).
     fn stored(&self) -> f64 {
         0.0
