@@ -15,6 +15,8 @@ pub(super) struct Joint<S: Mechanics> {
     pub now: Contact<S>,
     /// Deformation δ along n, t and o before (m).
     pub delta: [f64; 3],
+    /// Overlap that does not push (m).
+    pub offset: f64,
     pub law: Law,
     /// The guess before, the force after.
     pub force: Force,
@@ -253,7 +255,7 @@ fn force<S: Mechanics>(joint: &Joint<S>, velocities: &[S::Velocity]) -> Force {
         let rows = rows.as_ref()[1..].iter();
         speed += rows.map(|row| super::contact::dot(&magnitude(row), &magnitude(&velocities[body]))).sum::<f64>();
     }
-    joint.law.force(now.gap, slip, joint.delta, span, speed)
+    joint.law.force(now.gap + joint.offset, slip, joint.delta, span, speed)
 }
 
 /// Whether the point of a contact turns with its body.

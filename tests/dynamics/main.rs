@@ -5,3 +5,4 @@ mod published;
 mod spk_accuracy;
 mod spk_published;
 mod spk_robust;
+mod spk_tumble;
