@@ -104,7 +104,8 @@ impl<S: Mechanics> Newton<S> {
             let found = (0..if is_good { 1 } else { MAX_HALVINGS }).find_map(|_| {
                 self.go(length);
                 let tried = self.evaluate(stage);
-                let is_less = tried <= (1.0 - 1e-4 * length) * merit;
+                // the energy of rounding on one body may hide what is still to be gained on another
+                let is_less = tried <= (1.0 - 1e-4 * length) * merit || self.residual() <= 0.5 * residual;
                 length *= 0.5;
                 is_less.then_some(tried)
             });
