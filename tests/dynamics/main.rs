@@ -5,4 +5,5 @@ mod published;
 mod spk_accuracy;
 mod spk_published;
 mod spk_robust;
+mod spk_symmetry;
 mod spk_tumble;
