@@ -62,7 +62,6 @@ fn cold_starts_need_no_help() {
             continued += run.solver.rungs.iter().filter(|(name, _)| *name == "continued").count();
         }
     }
-    println!("{problems} problems, {pivots} iterations, {continued} continued");
     assert!(problems > 3000 && pivots < 5 * problems, "{problems} problems, {pivots} iterations");
 }
 
@@ -106,7 +105,6 @@ fn overlap_gives_no_more_than_its_springs_hold() {
         let top = run.frames.iter().map(|frame| frame.poses[0][1]).fold(0.0, f64::max);
         // two springs of 1 mm hold 0.05 J: 5.1 mm from the start
         assert!(top < 0.049 + 0.0051 && top > 0.049 + 0.004, "{top}");
-        println!("{} {:e}", top, run.energy.largest_gain);
     }
 }
 

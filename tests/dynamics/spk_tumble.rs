@@ -44,7 +44,6 @@ fn features_change_without_harm() {
             pivots += run.solver.pivots;
         }
     }
-    println!("{problems} problems, {pivots} iterations");
     assert!(problems > 40_000 && pivots < 3 * problems, "{problems} problems, {pivots} iterations");
 }
 
