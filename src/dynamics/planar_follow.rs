@@ -158,3 +158,88 @@ impl Motion {
         [self.to[0] + turned[0], self.to[1] + turned[1]]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Mechanics;
+    use crate::model::{Body, Material, Obstacle, Restitution, World};
+
+    fn scene() -> World<Planar> {
+        let body = |shape, pose| Body {
+            name: String::new(),
+            shape,
+            mass: 1.0,
+            inertia: [1.0],
+            pose,
+            velocity: [0.0; 3],
+            is_kinematic: false,
+            schedule: Vec::new(),
+        };
+        let square = PlanarShape::Polygon(vec![[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]);
+        let disc = PlanarShape::Circle { center: [0.1, 0.0], radius: 0.3 };
+        let bar = PlanarShape::Polygon(vec![[-2.0, -0.2], [2.0, -0.2], [2.0, 0.2], [-2.0, 0.2]]);
+        let ground = PlanarShape::HalfPlane { point: [0.0, -0.2], normal: [0.0, 1.0] };
+        let material = Material { friction: 0.5, restitution: Restitution::Newton(0.0), compliance: None };
+        let bodies = vec![
+            body(bar, [0.0, 0.0, 0.01]),
+            body(square, [-1.0, 0.71, 0.02]),
+            body(disc.clone(), [0.5, 0.48, 0.3]),
+            body(disc, [1.02, 0.6, 0.2]),
+        ];
+        let obstacle = |shape| Obstacle { name: String::new(), shape, surface_velocity: [0.0; 2] };
+        let post = PlanarShape::Circle { center: [-1.0, 1.35], radius: 0.13 };
+        World {
+            gravity: [0.0, -9.81],
+            duration: 1.0,
+            step: None,
+            margin: None,
+            directions: 2,
+            materials: vec![material; bodies.len() * (bodies.len() + 2)],
+            bodies,
+            fixed: vec![obstacle(ground), obstacle(post)],
+        }
+    }
+
+    /// Contacts carried along are the contacts found where the bodies have come to.
+    #[test]
+    fn following_is_finding_again() {
+        let world = scene();
+        let mut outlines = Planar::outlines(&world);
+        let from: Vec<[f64; 3]> = world.bodies.iter().map(|body| body.pose).collect();
+        let (mut before, mut after, mut compared) = (Vec::new(), Vec::new(), 0);
+        Planar::contacts(&mut outlines, &world, &from, 0.1, &mut before);
+        for round in 0..20 {
+            let shift = |body: usize, i: usize| 1e-3 * libm::sin((1 + round * 12 + body * 3 + i) as f64 * 1.7);
+            let to: Vec<[f64; 3]> =
+                from.iter().enumerate().map(|(b, pose)| std::array::from_fn(|i| pose[i] + shift(b, i))).collect();
+            Planar::contacts(&mut outlines, &world, &to, 0.1, &mut after);
+            for contact in &before {
+                let found = after.iter().find(|found| found.name == contact.name).expect("it moved by little");
+                let carried = follow(&outlines, contact, &from, &to);
+                compared += 1;
+                let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
+                assert!(close(carried.gap, found.gap), "{:?}: {} for {}", contact.name, carried.gap, found.gap);
+                for (carried, found) in carried.rows.iter().flatten().zip(found.rows.iter().flatten()) {
+                    assert!(close(*carried, *found), "{:?}: {carried} for {found}", contact.name);
+                }
+                let rows = [carried.other_rows, found.other_rows].map(Option::unwrap_or_default);
+                assert!(rows[0].iter().flatten().zip(rows[1].iter().flatten()).all(|(a, b)| close(*a, *b)));
+            }
+        }
+        assert!(compared >= 20 * 7, "only {compared} contacts");
+    }
+
+    /// Thickness is seen straight in from the edges, also of an outline with many.
+    #[test]
+    fn thickness_of_outlines() {
+        let around = |i: u32| libm::sincos(f64::from(i) / 32.0 * std::f64::consts::TAU);
+        let round = PlanarShape::Polygon((0..32).map(|i| around(i)).map(|(sine, cosine)| [cosine, sine]).collect());
+        assert!((half_thickness(&round) - 1.0).abs() < 0.01);
+        let corner = [[0.0, 0.0], [3.0, 0.0], [3.0, 0.2], [0.5, 0.2], [0.5, 3.0], [0.0, 3.0]];
+        assert_eq!(half_thickness(&PlanarShape::Polygon(corner.into())), 0.1);
+        assert_eq!(half_thickness(&PlanarShape::Circle { center: [0.0; 2], radius: 0.3 }), 0.3);
+        let ground = PlanarShape::HalfPlane { point: [0.0; 2], normal: [0.0, 1.0] };
+        assert_eq!(half_thickness(&ground), f64::INFINITY);
+    }
+}

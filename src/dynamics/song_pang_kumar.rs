@@ -48,14 +48,12 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
     pub fn new(world: &'w World<S>, second_order: bool) -> Self {
         let mut outlines = S::outlines(world);
         let start = State::start(world);
-        let (mut contacts, mut newton, mut memory) = (Vec::new(), Newton::new(), Memory::default());
+        let (mut contacts, mut memory) = (Vec::new(), Memory::default());
         // overlaps may be as deep as bodies are large
         let radii: Vec<f64> = world.bodies.iter().map(S::radius).collect();
         let largest = radii.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
         S::contacts(&mut outlines, world, &start.poses, largest, &mut contacts);
-        contacts.retain(|contact| contact.gap < 0.0);
-        memory.recall(&contacts, 1.0, &mut newton.joints);
-        memory.hold(&newton.joints);
+        memory.start(&contacts);
         let shapes = world.bodies.iter().map(|body| &body.shape).chain(world.fixed.iter().map(|fixed| &fixed.shape));
         Self {
             world,
@@ -63,7 +61,7 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
             radii,
             half_thickness: shapes.map(S::half_thickness).collect(),
             second_order,
-            newton,
+            newton: Newton::new(),
             memory,
             contacts,
             base: start.clone(),

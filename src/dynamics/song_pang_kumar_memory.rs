@@ -13,6 +13,8 @@ struct Entry {
     name: ContactName,
     delta: [f64; 3],
     lambda: [f64; 3],
+    /// Overlap that nothing deformed for (m).
+    offset: f64,
     /// Gap when last seen (m).
     gap: f64,
 }
@@ -22,6 +24,7 @@ struct Entry {
 pub(super) struct Memory {
     entries: Vec<Entry>,
     spare: Vec<Entry>,
+    is_found: Vec<bool>,
 }
 
 /// A deformation below this part of the gap changes nothing.
@@ -30,46 +33,81 @@ const NEGLIGIBLE: f64 = f64::EPSILON / 256.0;
 impl Memory {
     /// Makes the joints of a step of `h`, a contact each that has compliance.
     ///
-    /// An overlap that no deformation accounts for counts as one: the contact has closed under another name, or the
-    /// scene starts with it.
-    pub fn recall<S: Mechanics>(&self, contacts: &[Contact<S>], h: f64, joints: &mut Vec<Joint<S>>) {
+    /// A pair that overlaps when it is first found has no deformation to push with, which would be energy from nowhere:
+    /// its overlap counts as none, but for the deformation that it takes over from a pair of the same bodies that it
+    /// replaces.
+    pub fn recall<S: Mechanics>(&mut self, contacts: &[Contact<S>], h: f64, joints: &mut Vec<Joint<S>>) {
         joints.clear();
-        let mut next = 0;
+        self.is_found.clear();
+        self.is_found.resize(self.entries.len(), false);
+        let (mut next, mut is_replacing) = (0, false);
         for contact in contacts {
             let Some(law) = Law::new(&contact.material, h) else {
                 continue;
             };
-            let (delta, lambda) = match self.find(contact.name, next) {
-                Some(at) => {
-                    next = at + 1;
-                    (self.entries[at].delta, self.entries[at].lambda)
-                }
-                None => ([(-contact.gap).max(0.0), 0.0, 0.0], [0.0; 3]),
+            let mut joint = Joint {
+                start: *contact,
+                now: *contact,
+                delta: [0.0; 3],
+                offset: (-contact.gap).max(0.0),
+                law,
+                force: Force::default(),
+                earlier: [0.0; 3],
             };
-            let force = Force { lambda, ..Force::default() };
-            joints.push(Joint { start: *contact, now: *contact, delta, law, force, earlier: [0.0; 3] });
+            if let Some(at) = self.find(contact.name, next) {
+                next = at + 1;
+                self.is_found[at] = true;
+                let Entry { delta, lambda, offset, .. } = self.entries[at];
+                (joint.delta, joint.offset, joint.force.lambda) = (delta, offset, lambda);
+            } else {
+                is_replacing |= contact.gap < 0.0;
+            }
+            joints.push(joint);
+        }
+        if is_replacing {
+            self.hand_over(joints);
         }
     }
 
-    /// Keeps the joints as they are.
-    pub fn hold<S: Mechanics>(&mut self, joints: &[Joint<S>]) {
-        let entry = |joint: &Joint<S>| Entry {
-            name: joint.start.name,
-            delta: joint.delta,
+    /// Gives the deformation of overlapping pairs that are gone to new ones of the same bodies.
+    fn hand_over<S: Mechanics>(&mut self, joints: &mut [Joint<S>]) {
+        for joint in joints {
+            let name = joint.start.name;
+            if joint.offset == 0.0 || self.find(name, 0).is_some() {
+                continue;
+            }
+            let is_gone = |(entry, is_found): (&Entry, &bool)| {
+                !is_found && entry.gap <= 0.0 && (entry.name.body, entry.name.other) == (name.body, name.other)
+            };
+            if let Some(at) = self.entries.iter().zip(&self.is_found).position(is_gone) {
+                self.is_found[at] = true;
+                joint.delta[0] = self.entries[at].delta[0].clamp(0.0, joint.offset);
+                joint.offset -= joint.delta[0];
+            }
+        }
+    }
+
+    /// Takes all overlap for deformation, as a scene starts.
+    pub fn start<S: Mechanics>(&mut self, contacts: &[Contact<S>]) {
+        let deformed = contacts.iter().filter(|contact| contact.gap < 0.0).map(|contact| Entry {
+            name: contact.name,
+            delta: [-contact.gap, 0.0, 0.0],
             lambda: [0.0; 3],
-            gap: joint.start.gap,
-        };
+            offset: 0.0,
+            gap: contact.gap,
+        });
         self.entries.clear();
-        self.entries.extend(joints.iter().map(entry));
+        self.entries.extend(deformed);
     }
 
     /// Keeps what the joints became; others relax by C / (C + h K) and are forgotten once they change nothing, at
     /// once where their features parted while they overlapped.
     pub fn keep<S: Mechanics>(&mut self, world: &World<S>, h: f64, joints: &[Joint<S>]) {
         self.spare.clear();
-        for Joint { now, delta, force, law, .. } in joints {
+        for Joint { now, delta, force, law, offset, .. } in joints {
             let delta = law.deformed(force.lambda, *delta);
-            self.spare.push(Entry { name: now.name, delta, lambda: force.lambda, gap: now.gap });
+            let offset = offset.min((-now.gap).max(0.0));
+            self.spare.push(Entry { name: now.name, delta, lambda: force.lambda, offset, gap: now.gap });
         }
         let n_joints = self.spare.len();
         let mut next = 0;

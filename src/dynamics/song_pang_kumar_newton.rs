@@ -15,6 +15,8 @@ pub(super) struct Joint<S: Mechanics> {
     pub now: Contact<S>,
     /// Deformation δ along n, t and o before (m).
     pub delta: [f64; 3],
+    /// Overlap that does not push (m).
+    pub offset: f64,
     pub law: Law,
     /// The guess before, the force after.
     pub force: Force,
@@ -102,7 +104,8 @@ impl<S: Mechanics> Newton<S> {
             let found = (0..if is_good { 1 } else { MAX_HALVINGS }).find_map(|_| {
                 self.go(length);
                 let tried = self.evaluate(stage);
-                let is_less = tried <= (1.0 - 1e-4 * length) * merit;
+                // the energy of rounding on one body may hide what is still to be gained on another
+                let is_less = tried <= (1.0 - 1e-4 * length) * merit || self.residual() <= 0.5 * residual;
                 length *= 0.5;
                 is_less.then_some(tried)
             });
@@ -253,7 +256,7 @@ fn force<S: Mechanics>(joint: &Joint<S>, velocities: &[S::Velocity]) -> Force {
         let rows = rows.as_ref()[1..].iter();
         speed += rows.map(|row| super::contact::dot(&magnitude(row), &magnitude(&velocities[body]))).sum::<f64>();
     }
-    joint.law.force(now.gap, slip, joint.delta, span, speed)
+    joint.law.force(now.gap + joint.offset, slip, joint.delta, span, speed)
 }
 
 /// Whether the point of a contact turns with its body.

@@ -4,5 +4,8 @@ mod discrete;
 mod peers;
 mod published;
 mod spk_accuracy;
+mod spk_full_form;
 mod spk_published;
 mod spk_robust;
+mod spk_symmetry;
+mod spk_tumble;

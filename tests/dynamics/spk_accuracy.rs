@@ -116,7 +116,6 @@ fn two_stages_are_more_accurate() {
             Scene::Spatial(world) => flat(&run(&World { duration: 0.2, ..world }, h, second_order).last),
         };
         let [plain, staged, fine] = [(2e-4, false), (2e-4, true), (2.5e-5, true)].map(|(h, so)| error(last(h, so)));
-        println!("{name} {plain} {staged} {fine}");
         assert!(staged < 0.2 * plain, "{name}: {staged} against {plain}");
         assert!(fine < 0.05 * staged, "{name}: {fine} against {staged}");
     }
@@ -158,7 +157,6 @@ fn gamma_has_a_linear_effect() {
     };
     let sharp = angle(0.0);
     let [first, second, third] = [1e-4, 1e-5, 1e-6].map(|gamma| (angle(gamma) - sharp) / gamma);
-    println!("{first} {second} {third}");
     assert!((first / second - 1.0).abs() < 0.05 && (second / third - 1.0).abs() < 0.05, "{first} {second} {third}");
     // 1e-8 N: what the published runs have
     assert!((angle(1e-8) - sharp).abs() < 1.5e-8);
@@ -183,7 +181,6 @@ fn invariants_hold_at_every_step() {
             let length: f64 = frame.poses[0][3..].iter().map(|e| e * e).sum();
             assert!((length - 1.0).abs() < 1e-14);
         }
-        println!("{name} {second_order} gain {:e}", run.energy.largest_gain);
         if !second_order {
             assert!(run.energy.largest_gain < 1e-15, "{name}: {:e}", run.energy.largest_gain);
         }
