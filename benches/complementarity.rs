@@ -22,14 +22,21 @@ const FAMILIES: [(&str, Family, usize); 8] = [
 
 fn main() {
     let problems = std::env::var("LCP_PROBLEMS").ok().and_then(|text| text.parse().ok()).unwrap_or(1_000_000);
-    for (name, family, share) in FAMILIES {
+    let only: Option<usize> = std::env::var("LCP_FAMILY").ok().and_then(|text| text.parse().ok());
+    for (at, (name, family, share)) in FAMILIES.into_iter().enumerate() {
+        if only.is_some_and(|only| only != at) {
+            continue;
+        }
         robustness(name, family, (problems * share / 1000).max(1));
     }
 }
 
 fn robustness(name: &str, family: Family, count: usize) {
     let mut random = Random(7);
-    let mut solver = Solver::default();
+    let mut solver = Solver::with_limits(partplan::complementarity::Limits {
+        cases: std::env::var("LCP_CASES").ok().and_then(|t| t.parse().ok()).unwrap_or(4096),
+        ..Default::default()
+    });
     let mut m = Vec::new();
     let mut rungs = [0_usize; 9];
     let mut none = 0;
@@ -43,6 +50,9 @@ fn robustness(name: &str, family: Family, count: usize) {
         let start = Instant::now();
         let verdict = solver.solve(lcp, None, &|| factors.to_exact());
         times.push(start.elapsed().as_secs_f64());
+        if start.elapsed().as_secs_f64() > 0.3 {
+            println!("slow {:.2} s n {}", start.elapsed().as_secs_f64(), problem.q.len());
+        }
         match verdict.expect("a problem with a shape") {
             Verdict::Solved(solution) => rungs[solution.rung as usize] += 1,
             Verdict::NoSolution(_) => none += 1,

@@ -39,7 +39,8 @@ pub(super) fn decide(lcp: &ExactLcp, limits: Limits) -> (Decision, usize) {
     if let Some(case) = excluded(&integral, &[], &[]) {
         return (Decision::None(Proof::Farkas(case.multipliers)), pivots);
     }
-    let cases = search(&integral, limits.cases);
+    let limit = if lcp.size() <= limits.case_variables { limits.cases } else { 0 };
+    let cases = search(&integral, limit);
     if let Some(choice) = cases.pieces.first() {
         let point = choice.generators.iter().find(|row| !row[0].is_zero());
         let value = |value: &Z, scale: &Z| Q::new(value.clone(), scale.clone());

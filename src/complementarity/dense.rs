@@ -108,8 +108,11 @@ impl Dense {
     fn substitute(&mut self) {
         let (a, b) = (&self.factors, &mut self.right);
         let k = b.len();
+        // all exchanges first: those of later steps have moved the factors of earlier ones
         for (step, with) in self.exchanges.iter().enumerate() {
             b.swap(step, *with);
+        }
+        for step in 0..k {
             for row in step + 1..k {
                 b[row] -= a[row * k + step] * b[step];
             }

@@ -27,7 +27,7 @@ const COVER_IS_ZERO: f64 = 1e-9;
 /// Ratios this close tie.
 const TIE: f64 = 1e-12;
 /// Entries below this part of their column's largest are rounding errors, not pivots.
-const NO_PIVOT: f64 = 1e-11;
+const NO_PIVOT: f64 = 1e-10;
 
 /// The dictionary `basic = constant + Σ entry · nonbasic` and its room, kept from solve to solve.
 ///
