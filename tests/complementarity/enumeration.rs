@@ -61,7 +61,8 @@ fn a_block_on_four_points_stays() {
     let still = vec![ratio(0, 1), ratio(1, 16), ratio(0, 1)];
     assert_eq!(solutions.images(&factors.velocity_map().unwrap()), Images::Unique(still));
     let range = solutions.range(0).unwrap();
-    assert!(range.min == ratio(0, 1) && range.max > Some(ratio(1, 32)));
+    assert_eq!((range.min, range.max), (ratio(0, 1), Some(ratio(1, 32))));
+    assert_eq!(solutions.range(1).unwrap().max, Some(ratio(1, 24)));
 }
 
 /// `z = 0` or any `z ≥ 1` on a line of solutions: pieces of different kinds.
