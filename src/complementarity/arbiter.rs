@@ -1,7 +1,7 @@
 //! Lemke's method in integers, which always ends.
 
+use super::Basis;
 use super::integral::Integral;
-use super::{Basis, ExactLcp};
 use crate::exact::{Entries, Int, Ladder, Overflow, Q, Rung, Z, climb};
 use num_traits::{One as _, Zero as _};
 use std::cmp::Ordering;
@@ -24,8 +24,7 @@ pub(super) enum ExactEnd {
 ///
 /// # Source
 /// Cottle, Pang and Stone (1992), Algorithm 4.4.1 with 4.9.
-pub(super) fn lemke(lcp: &ExactLcp, limit: usize) -> (ExactEnd, usize) {
-    let integral = Integral::new(lcp);
+pub(super) fn lemke(integral: &Integral, limit: usize) -> (ExactEnd, usize) {
     let is_wide = integral.rows.iter().flatten().any(|entry| entry.bits() > 40);
     let lowest = if is_wide { Rung::Big } else { Rung::Word };
     let ((mut end, pivots), _) = climb(&Path { rows: &integral.rows, limit }, lowest);

@@ -2,6 +2,7 @@
 
 use super::arbiter::{ExactEnd, lemke};
 use super::cases::search;
+use super::exact_basis::solution_of;
 use super::farkas::{excluded, is_farkas};
 use super::integral::Integral;
 use super::{Basis, ExactLcp, Limits, Proof, Rung, Undecided};
@@ -18,13 +19,19 @@ pub(super) enum Decision {
 
 /// Decides the problem, and says how many pivots that took.
 ///
-/// A secondary ray proves nothing by itself. Its direction `v` is tried as Farkas multipliers, which succeeds for copositive-plus
+/// The basis that doubles propose is tried first. A secondary ray proves nothing by itself. Its direction `v` is tried as Farkas multipliers, which succeeds for copositive-plus
 /// **M**; then multipliers are searched for; and where the linear system has solutions, all complementary cases are.
-pub(super) fn decide(lcp: &ExactLcp, limits: Limits) -> (Decision, usize) {
+pub(super) fn decide(lcp: &ExactLcp, proposed: Option<&Basis>, limits: Limits) -> (Decision, usize) {
+    let integral = Integral::new(lcp);
+    if let Some(basis) = proposed
+        && let Some(z) = solution_of(&integral, basis)
+    {
+        return (Decision::Solved { z, basis: basis.clone(), rung: Rung::Exact }, 0);
+    }
     let mut pivots = 0;
     let mut ray = None;
     if limits.first <= Rung::Exact {
-        let (end, used) = lemke(lcp, limits.exact_pivots);
+        let (end, used) = lemke(&integral, limits.exact_pivots);
         pivots = used;
         match end {
             ExactEnd::Solved { z, basis } => return (Decision::Solved { z, basis, rung: Rung::Exact }, pivots),
@@ -35,11 +42,11 @@ pub(super) fn decide(lcp: &ExactLcp, limits: Limits) -> (Decision, usize) {
             ExactEnd::Ray { direction } => ray = Some(direction),
         }
     }
-    let integral = Integral::new(lcp);
     if let Some(case) = excluded(&integral, &[], &[]) {
         return (Decision::None(Proof::Farkas(case.multipliers)), pivots);
     }
-    let cases = search(&integral, limits.cases);
+    let limit = if lcp.size() <= limits.case_variables { limits.cases } else { 0 };
+    let cases = search(&integral, limit);
     if let Some(choice) = cases.pieces.first() {
         let point = choice.generators.iter().find(|row| !row[0].is_zero());
         let value = |value: &Z, scale: &Z| Q::new(value.clone(), scale.clone());

@@ -7,6 +7,7 @@ mod basis;
 mod cases;
 mod decide;
 mod dense;
+mod exact_basis;
 mod exact_lcp;
 mod factors;
 mod farkas;

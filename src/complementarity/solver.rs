@@ -33,6 +33,9 @@ pub struct Solver {
     cover: Vec<f64>,
     z: Vec<f64>,
     basis: Basis,
+    /// Of the bases that failed, the one with the least violation.
+    best_basis: Basis,
+    best: f64,
     exact: Vec<Q>,
 }
 
@@ -63,6 +66,7 @@ impl Solver {
         exact: &dyn Fn() -> Result<ExactLcp, LcpError>,
     ) -> Result<Verdict<'_>, LcpError> {
         lcp.check()?;
+        self.best = f64::INFINITY;
         let mut pivots = 0;
         let found = match self.quick(lcp, warm) {
             None => self.in_doubles(lcp, &mut pivots),
@@ -76,7 +80,8 @@ impl Solver {
         if exact.size() != lcp.size() {
             return Err(LcpError::Sizes { exact: exact.size(), doubles: lcp.size() });
         }
-        let (decision, more) = decide(&exact, self.limits);
+        let proposed = self.best.is_finite().then_some(&self.best_basis);
+        let (decision, more) = decide(&exact, proposed, self.limits);
         pivots += more;
         Ok(match decision {
             Decision::None(proof) => Verdict::NoSolution(proof),
@@ -170,8 +175,12 @@ impl Solver {
     }
 
     /// Whether `self.z` passes its check.
-    fn accepted(&self, lcp: Lcp<'_>, rung: Rung) -> Option<Found> {
+    fn accepted(&mut self, lcp: Lcp<'_>, rung: Rung) -> Option<Found> {
         let residual = lcp.residual(&self.z);
+        if !residual.is_accepted() && residual.violation < self.best {
+            self.best = residual.violation;
+            self.best_basis.copy_from(&self.basis);
+        }
         residual.is_accepted().then_some(Found { rung, residual: residual.bound })
     }
 }

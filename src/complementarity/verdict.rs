@@ -135,10 +135,12 @@ pub struct Limits {
     pub exact_pivots: usize,
     /// Complementary cases to look at after a ray without proof. 4096 by default.
     pub cases: usize,
+    /// Variables up to which complementary cases are looked at; their number and cost grow exponentially. 20 by default.
+    pub case_variables: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { first: Rung::Free, pivots_per_variable: 60, exact_pivots: 10_000, cases: 4096 }
+        Self { first: Rung::Free, pivots_per_variable: 60, exact_pivots: 10_000, cases: 4096, case_variables: 20 }
     }
 }
