@@ -52,7 +52,7 @@ pub trait Dimension: Space {
 }
 
 impl Reader {
-    /// The one of `keys` that is there.
+    /// The one of `keys` that is there; the object knows no other keys.
     pub fn one_of(&mut self, fields: &Fields, keys: &[&'static str], path: &Path, help: &str) -> Option<&'static str> {
         let mut present = keys.iter().copied().filter(|key| fields.get(key).is_some());
         match (present.next(), present.next()) {
@@ -61,6 +61,7 @@ impl Reader {
                 self.exclude(fields, [first, second], path, help);
                 None
             }
+            (None, _) if !fields.is_empty() => None, // unknown keys, and that is said
             (None, _) => {
                 let key = keys.first().copied().unwrap_or_default();
                 self.fault(FaultKind::MissingKey { key }, fields.span.clone(), &path.key(key), help);
