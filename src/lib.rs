@@ -15,6 +15,7 @@
 
 pub mod answer;
 pub mod case;
+pub mod complementarity;
 pub mod cone;
 pub mod dynamics;
 pub mod exact;

@@ -38,6 +38,8 @@ pub enum ModelKind {
     Auto,
     /// Stewart and Trinkle's, equations (10)-(13), as printed.
     StewartTrinkle,
+    /// Moreau's midpoint step with impacts located inside it.
+    Moreau,
     /// Song, Pang and Kumar's, equations (14)-(17).
     SongPangKumar,
 }

@@ -20,7 +20,7 @@ pub trait Space: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// Velocity ν, or a wrench: translational part first.
     type Velocity: Entries;
     /// Rows of W_n, W_t (and W_o) of one contact.
-    type Rows: Copy + Debug + PartialEq + Send + Sync + AsRef<[Self::Velocity]>;
+    type Rows: Copy + Debug + PartialEq + Send + Sync + AsRef<[Self::Velocity]> + AsMut<[Self::Velocity]>;
     /// Principal moments of inertia (kg m²).
     type Inertia: Entries;
     /// Outlines.
@@ -107,6 +107,14 @@ pub struct Body<S: Space> {
     pub is_kinematic: bool,
     /// Wrench on a free body, or velocity of a kinematic one, each from its time on; by time.
     pub schedule: Vec<Timed<S>>,
+}
+
+impl<S: Space> Body<S> {
+    /// What [`Body::schedule`] holds at a time.
+    #[must_use]
+    pub fn scheduled(&self, time: f64) -> Option<&S::Velocity> {
+        self.schedule.iter().rev().find(|timed| timed.time <= time).map(|timed| &timed.value)
+    }
 }
 
 /// A value from a time on.

@@ -1,0 +1,72 @@
+//! What differs between the plane and space: kinematics, inertia, contacts.
+
+use super::contact::Contact;
+use crate::model::{Body, Space, World};
+
+/// A space that bodies move in.
+pub trait Mechanics: Space {
+    /// Number of tangents of a contact.
+    #[doc(hidden)]
+    const TANGENTS: usize;
+
+    /// Outlines made ready for contact queries.
+    type Outlines: std::fmt::Debug;
+
+    /// Makes the outlines of a world ready.
+    #[doc(hidden)]
+    fn outlines(world: &World<Self>) -> Self::Outlines;
+
+    /// Every contact with a gap of at most `reach` at these poses, in a fixed order.
+    #[doc(hidden)]
+    fn contacts(
+        outlines: &mut Self::Outlines,
+        world: &World<Self>,
+        poses: &[Self::Pose],
+        reach: f64,
+        out: &mut Contacts<Self>,
+    );
+
+    /// The pose after moving at `velocity` for `time` (s): `q + G ν h`, orientations kept of unit length.
+    #[doc(hidden)]
+    fn advanced(pose: &Self::Pose, velocity: &Self::Velocity, time: f64) -> Self::Pose;
+
+    /// M⁻¹ times a wrench, in world axes.
+    #[doc(hidden)]
+    fn weighed(body: &Body<Self>, pose: &Self::Pose, wrench: &Self::Velocity) -> Self::Velocity;
+
+    /// A row of W along the principal axes of the body, where M is diagonal.
+    #[doc(hidden)]
+    fn principal(body: &Body<Self>, pose: &Self::Pose, row: &Self::Velocity) -> Self::Velocity;
+
+    /// The diagonal of M⁻¹ along the principal axes; zero for a kinematic body.
+    #[doc(hidden)]
+    fn inverse_mass(body: &Body<Self>) -> Self::Velocity;
+
+    /// M times a velocity, in world axes.
+    #[doc(hidden)]
+    fn momentum(body: &Body<Self>, pose: &Self::Pose, velocity: &Self::Velocity) -> Self::Velocity;
+
+    /// The wrench of gravity and of gyroscopic effects (N, N m).
+    #[doc(hidden)]
+    fn own_wrench(
+        gravity: &Self::Vector,
+        body: &Body<Self>,
+        pose: &Self::Pose,
+        velocity: &Self::Velocity,
+    ) -> Self::Velocity;
+
+    /// Height over which gravity has pulled: `-g · x` (m²/s²).
+    #[doc(hidden)]
+    fn potential(gravity: &Self::Vector, pose: &Self::Pose) -> f64;
+
+    /// A distance that no point of the body is farther away from its center of mass (m).
+    #[doc(hidden)]
+    fn radius(body: &Body<Self>) -> f64;
+
+    /// A speed that no point of the body exceeds (m/s).
+    #[doc(hidden)]
+    fn fastest(radius: f64, velocity: &Self::Velocity) -> f64;
+}
+
+/// The contacts of a step.
+pub type Contacts<S> = Vec<Contact<S>>;

@@ -1,0 +1,242 @@
+//! A run from start to end: steps, and what is worth keeping of them.
+
+use super::contact::{Contact, dot};
+use super::impulses::{Refused, Solved};
+use super::mechanics::Mechanics;
+use super::options::Options;
+use super::state::State;
+use super::stepper::Stepper;
+use crate::answer::{
+    ContactName, ContactState, Energy, Event, Frame, ModelChoice, Simulation, SolverStatistics, Status, Touch,
+};
+use crate::complementarity::Rung;
+use crate::model::World;
+
+/// Steps `world` to its end, or until `watch` says no.
+pub(super) fn run<S: Mechanics>(
+    world: &World<S>,
+    options: &Options,
+    model: ModelChoice,
+    stepper: &mut impl Stepper<S>,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Simulation<S> {
+    let h = model.step;
+    let n_steps = step_count(world.duration, h);
+    let mut log = Log::start(world, n_steps.div_ceil(options.frames.max(2) - 1).max(1));
+    let mut state = State::start(world);
+    let mut before = state.clone();
+    let mut status = Status::Complete;
+    log.keep(&state, stepper);
+    for index in 0..n_steps {
+        if index >= options.max_steps || !watch(state.time) {
+            status = Status::Partial;
+            break;
+        }
+        // the last step may be shorter; times are products, not sums, so that they do not drift
+        let end = if index + 1 == n_steps { world.duration } else { (index + 1) as f64 * h };
+        let length = if (end - state.time - h).abs() <= 1e-9 * h { h } else { end - state.time };
+        before.clone_from(&state);
+        match stepper.step(&mut state, length) {
+            Ok(solved) => log.step(world, &before, &state, stepper, solved),
+            Err(refused) => {
+                status = log.refused(state.time, &refused);
+                break;
+            }
+        }
+        state.time = end;
+        if (index + 1) % log.every == 0 || index + 1 == n_steps {
+            log.keep(&state, stepper);
+        }
+    }
+    log.finish(world, &state, stepper, status, model)
+}
+
+/// How many steps of `h` make up `duration`; a remainder of rounding is none.
+fn step_count(duration: f64, h: f64) -> usize {
+    let exact = duration / h;
+    let whole = exact.round();
+    if (exact - whole).abs() <= 1e-9 * whole { whole as usize } else { exact.ceil() as usize }
+}
+
+/// What is kept of a run.
+struct Log<S: Mechanics> {
+    every: usize,
+    frames: Vec<Frame<S>>,
+    events: Vec<Event>,
+    /// Contacts with a force, by name.
+    held: Vec<(ContactName, ContactState)>,
+    now: Vec<(ContactName, ContactState)>,
+    energy: Energy,
+    last_energy: f64,
+    penetration: (f64, f64),
+    solver: SolverStatistics,
+    rungs: [usize; Rung::ALL.len()],
+    notes: Vec<String>,
+}
+
+impl<S: Mechanics> Log<S> {
+    fn start(world: &World<S>, every: usize) -> Self {
+        let start = State::start(world).energy(world);
+        Self {
+            every,
+            frames: Vec::new(),
+            events: Vec::new(),
+            held: Vec::new(),
+            now: Vec::new(),
+            energy: Energy { start, end: start, ..Energy::default() },
+            last_energy: start,
+            penetration: (0.0, 0.0),
+            solver: SolverStatistics::default(),
+            rungs: [0; Rung::ALL.len()],
+            notes: Vec::new(),
+        }
+    }
+
+    fn step(
+        &mut self,
+        world: &World<S>,
+        before: &State<S>,
+        after: &State<S>,
+        stepper: &impl Stepper<S>,
+        solved: Solved,
+    ) {
+        self.solver.steps += 1;
+        self.solver.problems += solved.problems;
+        self.solver.pivots += solved.pivots;
+        self.solver.impacts += solved.impacts;
+        self.solver.residual = self.solver.residual.max(solved.residual);
+        if solved.problems > 0 {
+            self.rungs[solved.rung as usize] += 1;
+        }
+        if stepper.deepest() > self.penetration.0 {
+            self.penetration = (stepper.deepest(), before.time);
+        }
+        self.now.clear();
+        for (contact, impulse) in stepper.touches() {
+            let state = contact_state(contact, impulse, &after.velocities);
+            if state != ContactState::Open {
+                self.now.push((contact.name, state));
+            }
+        }
+        self.now.sort_unstable_by_key(|(name, _)| *name);
+        if self.now != self.held {
+            self.change(after.time);
+        }
+        let energy = after.energy(world);
+        let work = work(world, before, after, stepper);
+        self.energy.work += work;
+        self.energy.largest_gain = self.energy.largest_gain.max(energy - self.last_energy - work);
+        self.last_energy = energy;
+    }
+
+    /// Notes which contacts changed between `held` and `now`, and makes `now` what is held.
+    fn change(&mut self, time: f64) {
+        let state_in = |list: &[(ContactName, ContactState)], name: &ContactName| {
+            list.binary_search_by_key(name, |(name, _)| *name).map_or(ContactState::Open, |at| list[at].1)
+        };
+        let gone = self.held.iter().filter(|(name, _)| state_in(&self.now, name) == ContactState::Open);
+        let mut changed: Vec<Event> =
+            gone.map(|(name, from)| Event { time, contact: *name, from: *from, to: ContactState::Open }).collect();
+        changed.extend(self.now.iter().filter_map(|(name, to)| {
+            let from = state_in(&self.held, name);
+            (from != *to).then_some(Event { time, contact: *name, from, to: *to })
+        }));
+        changed.sort_by_key(|event| event.contact);
+        self.events.append(&mut changed);
+        std::mem::swap(&mut self.held, &mut self.now);
+    }
+
+    fn keep(&mut self, state: &State<S>, stepper: &impl Stepper<S>) {
+        let touches = stepper.touches().map(|(contact, impulse)| Touch {
+            contact: contact.name,
+            state: contact_state(contact, impulse, &state.velocities),
+            point: contact.point,
+            normal: contact.normal,
+            impulse,
+        });
+        self.frames.push(Frame {
+            time: state.time,
+            poses: state.poses.clone(),
+            velocities: state.velocities.clone(),
+            touches: touches.filter(|touch| touch.state != ContactState::Open).collect(),
+        });
+    }
+
+    /// Says why a step was refused.
+    fn refused(&mut self, time: f64, refused: &Refused) -> Status {
+        let (what, status) = match refused {
+            Refused::NoSolution(_) => {
+                ("no impulses are admissible: bodies overlap and are held so", Status::Inconsistent)
+            }
+            Refused::Undecided(_) => ("the contact problem was not decided at a limit", Status::Partial),
+            Refused::Broken(_) => ("the velocities grew beyond all bounds", Status::Partial),
+        };
+        self.notes.push(format!("at {time} s {what}"));
+        status
+    }
+
+    fn finish(
+        mut self,
+        world: &World<S>,
+        state: &State<S>,
+        stepper: &impl Stepper<S>,
+        status: Status,
+        model: ModelChoice,
+    ) -> Simulation<S> {
+        self.keep(state, stepper);
+        let last = self.frames.pop().expect("a frame was just kept");
+        if self.frames.last().is_none_or(|frame| frame.time != last.time) {
+            self.frames.push(last.clone());
+        }
+        let used = Rung::ALL.into_iter().zip(self.rungs).filter(|(_, count)| *count > 0);
+        self.solver.rungs = used.map(|(rung, count)| (rung.name(), count)).collect();
+        self.energy.end = state.energy(world);
+        self.energy.dissipated = self.energy.start + self.energy.work - self.energy.end;
+        Simulation {
+            status,
+            time: state.time,
+            last,
+            frames: self.frames,
+            events: self.events,
+            energy: self.energy,
+            penetration: self.penetration,
+            solver: self.solver,
+            model,
+            notes: self.notes,
+        }
+    }
+}
+
+/// Open without a force, stick without slip; slip is told from rounding by the speeds that meet at the contact.
+fn contact_state<S: Mechanics>(contact: &Contact<S>, impulse: [f64; 3], velocities: &[S::Velocity]) -> ContactState {
+    if impulse == [0.0; 3] {
+        return ContactState::Open;
+    }
+    let slip = (1..=S::TANGENTS).map(|row| contact.velocity(row, velocities).powi(2)).sum::<f64>().sqrt();
+    let speeds: f64 = contact.sides().map(|(body, rows)| size(&rows.as_ref()[1], &velocities[body])).sum();
+    if slip > 1e-9 * speeds + 1e-12 { ContactState::Slip } else { ContactState::Stick }
+}
+
+/// Σ |a_i b_i|.
+fn size<E: AsRef<[f64]>>(a: &E, b: &E) -> f64 {
+    a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| (a * b).abs()).sum()
+}
+
+/// Work of applied wrenches, moving surfaces and kinematic bodies in a step (J).
+fn work<S: Mechanics>(world: &World<S>, before: &State<S>, after: &State<S>, stepper: &impl Stepper<S>) -> f64 {
+    let h = after.time - before.time;
+    let mut work = 0.0;
+    for (body, velocity) in world.bodies.iter().zip(&after.velocities).filter(|(body, _)| !body.is_kinematic) {
+        if let Some(applied) = body.scheduled(before.time) {
+            work += h * dot(applied, velocity);
+        }
+    }
+    for (contact, impulse) in stepper.touches() {
+        work += (0..S::TANGENTS).map(|i| impulse[i + 1] * contact.surface[i]).sum::<f64>();
+        for (body, rows) in contact.sides().filter(|(body, _)| world.bodies[*body].is_kinematic) {
+            let push = |row: usize| impulse[row] * dot(&rows.as_ref()[row], &after.velocities[body]);
+            work -= (0..=S::TANGENTS).map(push).sum::<f64>();
+        }
+    }
+    work
+}

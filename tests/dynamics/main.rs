@@ -1,0 +1,6 @@
+//! The time-steppers against the published scenes, closed forms and invariants.
+
+mod dbg;
+mod discrete;
+mod peers;
+mod published;
