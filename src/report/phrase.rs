@@ -136,7 +136,7 @@ pub(super) fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Stri
         [only] => match (answer.last.poses.first(), answer.last.velocities.first()) {
             (Some(pose), Some(velocity)) => {
                 let does = if motion::is_at_rest::<S>(velocity) { "is at rest" } else { "moves" };
-                let at = pose.as_ref().iter().take(S::DIMENSION).map(|x| decimal::near(*x, 4)).collect::<Vec<_>>();
+                let at = pose.as_ref().iter().take(S::DIMENSION).map(|x| motion::rounded(*x)).collect::<Vec<_>>();
                 let name = motion::plain(&only.name);
                 format!("{name} {does} at ({}) m, {}, after {time} s", at.join(", "), S::orientation(pose))
             }

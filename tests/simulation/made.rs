@@ -54,12 +54,18 @@ pub fn run<S: Space>(frames: Vec<Frame<S>>, events: Vec<Event>) -> Simulation<S>
     }
 }
 
+fn frame<S: Space>(step: usize, states: &[(S::Pose, S::Velocity)], touches: Vec<Touch<S>>) -> Frame<S> {
+    let (poses, velocities) = states.iter().copied().unzip();
+    Frame { time: step as f64 * H, poses, velocities, touches }
+}
+
 /// Convex polygons, each by itself, over a floor at height 0.
 pub fn dropped(world: &World<Planar>) -> Simulation<Planar> {
     let mut states: Vec<([f64; 3], [f64; 3])> = world.bodies.iter().map(|body| (body.pose, body.velocity)).collect();
     let (mut frames, mut events, mut down) = (Vec::new(), Vec::new(), std::collections::BTreeSet::new());
     let steps = (world.duration / H).round() as usize;
-    for step in 0..=steps {
+    frames.push(frame(0, &states, Vec::new()));
+    for step in 1..=steps {
         let mut touches = Vec::new();
         for (number, (body, (pose, velocity))) in world.bodies.iter().zip(&mut states).enumerate() {
             let PlanarShape::Polygon(corners) = &body.shape else { continue };
@@ -105,8 +111,7 @@ pub fn dropped(world: &World<Planar>) -> Simulation<Planar> {
             }
         }
         if step.is_multiple_of(20) {
-            let (poses, velocities) = states.iter().copied().unzip();
-            frames.push(Frame { time: step as f64 * H, poses, velocities, touches });
+            frames.push(frame(step, &states, touches));
         }
     }
     run(frames, events)
@@ -117,8 +122,8 @@ pub fn thrown(world: &World<Spatial>) -> Simulation<Spatial> {
     let body = &world.bodies[0];
     let SpatialShape::Sphere { radius, .. } = body.shape else { panic!("a sphere") };
     let (mut pose, mut velocity) = (body.pose, body.velocity);
-    let mut frames = Vec::new();
-    for step in 0..=(world.duration / H).round() as usize {
+    let mut frames = vec![frame(0, &[(pose, velocity)], Vec::new())];
+    for step in 1..=(world.duration / H).round() as usize {
         let mut touches = Vec::new();
         let (depth, sink) = (radius - pose[2], -velocity[2]);
         let normal = if depth > 0.0 { (K * depth + C * sink).max(0.0) } else { 0.0 };
@@ -149,7 +154,7 @@ pub fn thrown(world: &World<Spatial>) -> Simulation<Spatial> {
             });
         }
         if step.is_multiple_of(20) {
-            frames.push(Frame { time: step as f64 * H, poses: vec![pose], velocities: vec![velocity], touches });
+            frames.push(frame(step, &[(pose, velocity)], touches));
         }
     }
     run(frames, Vec::new())

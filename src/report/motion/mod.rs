@@ -7,6 +7,7 @@ mod spatial;
 
 pub use energy::energy;
 pub use names::{change, contact, plain};
+pub use planar::rounded;
 
 use crate::answer::{Frame, Simulation};
 use crate::model::{Body, Space, World};

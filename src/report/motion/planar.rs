@@ -52,7 +52,7 @@ impl Shown for Planar {
     }
 
     fn orientation(pose: &[f64; 3]) -> String {
-        format!("angle {} deg", near(pose[2].to_degrees(), 4))
+        format!("angle {} deg", rounded(pose[2].to_degrees()))
     }
 
     fn cells(pose: &[f64; 3], velocity: &[f64; 3]) -> Vec<String> {
@@ -67,6 +67,6 @@ impl Shown for Planar {
 }
 
 /// Four digits; what is below a billionth is nothing.
-pub(super) fn rounded(value: f64) -> String {
+pub fn rounded(value: f64) -> String {
     if value.is_finite() { near(if value.abs() < 1e-9 { 0.0 } else { value }, 4) } else { value.to_string() }
 }

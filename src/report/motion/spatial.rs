@@ -104,14 +104,12 @@ fn rotated(pose: &[f64; 7], v: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|axis| v[axis] + 2.0 * outer[axis])
 }
 
-/// Tangents of a normal: for +z they are +x and +y.
+/// Tangents t and o of a normal, (t, o, n) right-handed: for +z they are +x and +y. Contacts have the same.
 fn tangents(n: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-    let flat = n[0].hypot(n[2]);
-    if flat < 1e-12 {
-        let t = [1.0, 0.0, 0.0];
-        return (t, cross(n, t));
-    }
-    let t = [n[2] / flat, 0.0, -n[0] / flat];
+    let across = if n[1].abs() < 0.9 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, -n[1].signum()] };
+    let t = cross(across, n);
+    let length = t.iter().map(|entry| entry * entry).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+    let t = t.map(|entry| entry / length);
     (t, cross(n, t))
 }
 
