@@ -158,7 +158,7 @@ impl Reader {
         Some(range)
     }
 
-    fn coefficient(&mut self, value: &Value, path: &Path, help: &str) -> Option<Q> {
+    pub fn coefficient(&mut self, value: &Value, path: &Path, help: &str) -> Option<Q> {
         let number = self.number(value, path)?;
         if number.is_negative() {
             let kind = FaultKind::Negative { name: "a friction coefficient", value: show::number(&number) };

@@ -239,6 +239,109 @@ pub enum FaultKind {
         /// `static` or `kinetic`.
         key: &'static str,
     },
+    /// A range or a pair of coefficients where a simulation needs one.
+    #[error("a simulation needs one coefficient of friction")]
+    SeveralFrictions,
+    /// A number beyond doubles.
+    #[error("{value} is beyond the range of floating-point numbers")]
+    NotADouble {
+        /// The value, possibly shortened.
+        value: String,
+    },
+    /// A scene in which nothing moves.
+    #[error("there are no bodies")]
+    NoBodies,
+    /// More bodies, or fixed things, than the limit.
+    #[error("{bodies} {what}, more than the limit of {limit}")]
+    TooManyBodies {
+        /// How many there are.
+        bodies: usize,
+        /// `bodies` or `fixed`.
+        what: &'static str,
+        /// The limit.
+        limit: usize,
+    },
+    /// Two things of the same name.
+    #[error("the name `{name}` is taken")]
+    RepeatedName {
+        /// The name, possibly shortened.
+        name: String,
+    },
+    /// A name of nothing in the scene.
+    #[error("nothing in the scene is named `{name}`")]
+    NoSuchName {
+        /// The name, possibly shortened.
+        name: String,
+    },
+    /// A pair that does not interact, or is given twice.
+    #[error("{0}")]
+    Pair(PairFault),
+    /// A shape that a moving body cannot have.
+    #[error("a body cannot be a `{shape}`: only what is fixed can")]
+    FixedOnly {
+        /// Its key.
+        shape: &'static str,
+    },
+    /// A compound without pieces, or of compounds.
+    #[error("a compound has one piece or more, none of them compound")]
+    Compound,
+    /// A polygon whose corners coincide or cross when rounded to doubles.
+    #[error("rounded to floating-point numbers the polygon is not simple any more")]
+    RoundedPolygon,
+    /// Euler parameters of length zero.
+    #[error("the Euler parameters e0, ex, ey, ez are all zero")]
+    NoOrientation,
+    /// Times that do not increase.
+    #[error("times increase, but {time} follows {previous}")]
+    TimeOrder {
+        /// The time before.
+        previous: String,
+        /// The time that is not later.
+        time: String,
+    },
+    /// A key that makes sense for kinematic bodies only, or for free ones only.
+    #[error("`{key}` is for {what} bodies only")]
+    WrongMotion {
+        /// The key.
+        key: &'static str,
+        /// `kinematic` or `free`.
+        what: &'static str,
+    },
+    /// Two bodies of which nothing says how they touch.
+    #[error("no friction is given between `{first}` and `{second}`{others}")]
+    NoFriction {
+        /// One of the two, possibly shortened.
+        first: String,
+        /// The other, possibly shortened.
+        second: String,
+        /// How many pairs more; empty if none.
+        others: String,
+    },
+    /// Two bodies that disagree on what happens where they touch.
+    #[error("`{first}` and `{second}` disagree on {key}")]
+    Disagreement {
+        /// `friction`, `restitution` or `contact`.
+        key: &'static str,
+        /// One of the two, possibly shortened.
+        first: String,
+        /// The other, possibly shortened.
+        second: String,
+    },
+}
+
+/// Why an entry of `pairs` names no pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PairFault {
+    /// One name twice.
+    #[error("a pair has two different names")]
+    Same,
+    /// Two fixed things.
+    #[error("neither of the two moves, so that they never touch")]
+    Fixed,
+    /// The pair has an entry already.
+    #[error("the pair is given twice")]
+    Twice,
 }
 
 impl FaultKind {
@@ -280,6 +383,21 @@ impl FaultKind {
             Self::NormalNotInward { .. } => "C058",
             Self::KineticAboveStatic { .. } => "C060",
             Self::FrictionPair { .. } => "C061",
+            Self::SeveralFrictions => "C062",
+            Self::NotADouble { .. } => "C070",
+            Self::NoBodies => "C071",
+            Self::TooManyBodies { .. } => "C072",
+            Self::RepeatedName { .. } => "C073",
+            Self::NoSuchName { .. } => "C074",
+            Self::Pair(_) => "C075",
+            Self::FixedOnly { .. } => "C076",
+            Self::Compound => "C077",
+            Self::RoundedPolygon => "C078",
+            Self::NoOrientation => "C079",
+            Self::TimeOrder { .. } => "C080",
+            Self::WrongMotion { .. } => "C081",
+            Self::NoFriction { .. } => "C082",
+            Self::Disagreement { .. } => "C083",
         }
     }
 }

@@ -8,13 +8,15 @@ mod kind;
 mod part;
 mod reader;
 mod render;
+mod scene;
 mod show;
 mod suggest;
 mod text;
 
 pub use fault::{Fault, Related};
-pub use kind::{FaultKind, SyntaxFault};
+pub use kind::{FaultKind, PairFault, SyntaxFault};
 pub use render::render;
+pub use scene::{SceneCase, read_scene};
 
 use crate::model::{Conveyor, Fixture, LengthUnit, Part};
 use jsonc_parser::ast::Value;
@@ -27,6 +29,9 @@ const SMALLEST_INSERT: &str = r#""insert": {"fixels": [{"at": [0.5, 0], "frictio
 
 /// The smallest `pins` section.
 const SMALLEST_PINS: &str = r#""pins": {"belt_friction": 0.5, "pin_friction": 0.1}"#;
+
+/// The keys of a case.
+const KEYS: [&str; 7] = ["name", "length_unit", "part", "insert", "pins", "throw", "scene"];
 
 /// A section of a case that says what a task needs besides the part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,11 +80,13 @@ pub struct Limits {
     pub vertices: usize,
     /// Most fixels.
     pub fixels: usize,
+    /// Most bodies of a scene, and most of what is fixed there.
+    pub bodies: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { bytes: 16 << 20, vertices: 10_000, fixels: 64 }
+        Self { bytes: 16 << 20, vertices: 10_000, fixels: 64, bodies: 200 }
     }
 }
 
@@ -125,6 +132,7 @@ pub fn missing_section(section: &'static str) -> Fault {
         "part" => SMALLEST_CASE,
         "insert" => SMALLEST_INSERT,
         "pins" => SMALLEST_PINS,
+        "scene" => scene::SMALLEST_SCENE,
         "throw" => r#""throw": {"offset": 0, "release_deg_per_s": 320}"#,
         _ => "",
     };
@@ -134,9 +142,8 @@ pub fn missing_section(section: &'static str) -> Fault {
 
 impl Reader {
     fn case(&mut self, tree: &Value, sections: &[Section], limits: &Limits) -> Option<Case> {
-        let known = ["name", "length_unit", "part", "insert", "pins", "throw", "scene"];
         let path = Path::document();
-        let fields = self.fields(tree, &path, &known, SMALLEST_CASE)?;
+        let fields = self.fields(tree, &path, &KEYS, SMALLEST_CASE)?;
         let name = fields.get("name").map(|value| self.string(value, &path.key("name"), "write \"name\": \"bracket\""));
         let unit = match fields.get("length_unit") {
             Some(value) => self.length_unit(value, &path.key("length_unit")),

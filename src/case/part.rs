@@ -102,7 +102,8 @@ impl Reader {
         Some(Shape::Circle { center: center?, radius: radius? })
     }
 
-    fn polygon(&mut self, value: &Value, path: &Path, limits: &Limits) -> Option<Polygon> {
+    /// A simple polygon, counter-clockwise.
+    pub fn polygon(&mut self, value: &Value, path: &Path, limits: &Limits) -> Option<Polygon> {
         let elements = &self.array(value, path, SHAPE_HELP)?.elements;
         if elements.len() > limits.vertices {
             let kind = FaultKind::TooManyVertices { vertices: elements.len(), limit: limits.vertices };

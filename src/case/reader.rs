@@ -83,6 +83,10 @@ impl<'v> Fields<'v> {
         self.properties.get(key).map(|property| &property.value)
     }
 
+    pub fn is_empty(&self) -> bool {
+        self.properties.is_empty()
+    }
+
     /// Bytes of the key itself.
     pub fn key_span(&self, key: &str) -> Range<usize> {
         self.properties.get(key).map_or(self.span.clone(), |property| span_of(&property.name))

@@ -7,6 +7,9 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+/// As shells report a process that Ctrl-C ended.
+pub const INTERRUPTED: u8 = 130;
+
 /// How a run that was not stopped by bad input ended; the only place where exit codes are written down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
@@ -16,6 +19,8 @@ pub enum Outcome {
     No,
     /// A limit was reached before an answer: 3.
     Undecided,
+    /// The run was interrupted; what it had found is written: 130.
+    Interrupted,
 }
 
 /// Why there is no answer: exit status 2.
@@ -67,6 +72,7 @@ pub fn end(result: Result<Outcome, Failure>) -> ExitCode {
         Ok(Outcome::Yes) => ExitCode::SUCCESS,
         Ok(Outcome::No) => ExitCode::from(1),
         Ok(Outcome::Undecided) => ExitCode::from(3),
+        Ok(Outcome::Interrupted) => ExitCode::from(INTERRUPTED),
         Err(Failure::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(failure) => {
             super::output::complain(failure.to_string().trim_end());
@@ -89,6 +95,7 @@ mod tests {
         assert_eq!(status(Ok(Outcome::Yes)), code(0));
         assert_eq!(status(Ok(Outcome::No)), code(1));
         assert_eq!(status(Ok(Outcome::Undecided)), code(3));
+        assert_eq!(status(Ok(Outcome::Interrupted)), code(130));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::BrokenPipe.into()))), code(0));
         assert_eq!(status(Err(Failure::Write(io::ErrorKind::StorageFull.into()))), code(2));
         assert_eq!(status(Err(Failure::Folder { path: "cases".to_owned(), example: "part.json" })), code(2));

@@ -2,7 +2,7 @@
 
 use super::common::{Common, Fixtured};
 use super::{Failure, output};
-use partplan::case::{self, Case, Section};
+use partplan::case::{self, Case, SceneCase, Section};
 use partplan::model::{Conveyor, Fixture};
 use partplan::report::{Ride, Subject};
 use std::fs::File;
@@ -66,6 +66,26 @@ fn task<S>(
     }
     let name = case.name.clone().unwrap_or_else(|| stem(&common.case));
     Ok(Task { name, case, section })
+}
+
+/// A scene and what it is called.
+pub struct SceneTask {
+    /// Its name, or that of its file.
+    pub name: String,
+    /// The scene.
+    pub case: SceneCase,
+}
+
+/// Reads a case with a `scene` section and says its warnings on standard error.
+pub fn scene(common: &Common) -> Result<SceneTask, Failure> {
+    let shown = if common.case == "-" { "standard input" } else { &common.case };
+    let bytes = bytes(&common.case, common.max_bytes, "scene.json")?;
+    let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
+    let case = case::read_scene(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
+    for warning in &case.warnings {
+        output::complain(&format!("warning: {shown}: {warning}"));
+    }
+    Ok(SceneTask { name: case.name.clone().unwrap_or_else(|| stem(&common.case)), case })
 }
 
 /// One byte more than the limit is enough to know that there are too many.

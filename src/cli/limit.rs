@@ -100,7 +100,8 @@ impl Limits {
         output::answer(out, format, said, document)
     }
 
-    fn is_memory_over(&self) -> bool {
+    /// Whether more memory is in use than allowed.
+    pub fn is_memory_over(&self) -> bool {
         memory_stats::memory_stats().is_some_and(|stats| stats.physical_mem as u64 > self.memory.as_u64())
     }
 }

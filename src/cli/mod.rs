@@ -10,7 +10,9 @@ mod limit;
 mod output;
 mod pins;
 mod progress;
+mod simulate;
 mod stable;
+mod stop;
 mod suggest;
 
 pub use failure::{Failure, Outcome, end};
@@ -28,7 +30,7 @@ pub struct Cli {
 
 const AFTER_HELP: &str = "\
 Exit status: 0 a plan was found or a report made, 1 it is proved that there is no plan,
-2 bad input or usage, 3 undecided at a limit. Answers go to standard output, everything else to standard error.
+2 bad input or usage, 3 undecided at a limit, 130 interrupted. Answers go to standard output, everything else to standard error.
 
 Example: plan insert cases/pawl.json";
 
@@ -38,6 +40,7 @@ enum Command {
     Stable(stable::Args),
     Cone(cone::Args),
     Pins(pins::Args),
+    Simulate(simulate::Args),
     Convert(convert::Args),
 }
 
@@ -52,6 +55,7 @@ impl Cli {
             Command::Stable(args) => stable::run(args, out),
             Command::Cone(args) => cone::run(args, out),
             Command::Pins(args) => pins::run(args, out),
+            Command::Simulate(args) => simulate::run(args, out),
             Command::Convert(args) => convert::run(args, out),
         }
     }

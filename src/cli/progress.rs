@@ -1,4 +1,4 @@
-//! A bar on standard error while a search goes on; nothing where standard error is no terminal.
+//! A bar on standard error while a search or a run goes on; nothing where standard error is no terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use partplan::planner::{Progress, Stage};
@@ -33,5 +33,40 @@ impl Bar {
     /// Removes the bar.
     pub fn clear(&self) {
         self.0.finish_and_clear();
+    }
+}
+
+/// Shows how far a run is.
+#[derive(Debug, Clone)]
+pub struct Clock {
+    bar: ProgressBar,
+    duration: f64,
+}
+
+impl Clock {
+    /// Parts of a run that are told apart.
+    const PARTS: u64 = 1000;
+
+    /// A bar for a run of `duration` seconds.
+    pub fn new(duration: f64) -> Self {
+        let style =
+            ProgressStyle::with_template("{msg:20} {bar:40} {eta} left").expect("the template has balanced braces");
+        let bar = ProgressBar::with_draw_target(Some(Self::PARTS), ProgressDrawTarget::stderr()).with_style(style);
+        Self { bar, duration }
+    }
+
+    /// Shows the time reached (s).
+    pub fn show(&self, time: f64) {
+        // a step may be far shorter than what can be seen
+        let part = (time / self.duration * Self::PARTS as f64) as u64;
+        if part != self.bar.position() {
+            self.bar.set_position(part);
+            self.bar.set_message(format!("{time:.3} of {} s", self.duration));
+        }
+    }
+
+    /// Removes the bar.
+    pub fn clear(&self) {
+        self.bar.finish_and_clear();
     }
 }

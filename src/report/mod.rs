@@ -1,12 +1,17 @@
 //! Answers as text, JSON and pictures: pure functions of the answer and of what was asked.
 
+pub mod html;
 pub mod json;
 pub mod svg;
 pub mod text;
+pub mod trajectory;
 
 mod decimal;
 mod height;
+mod motion;
 mod phrase;
+
+pub use motion::{Run, Shown};
 
 use crate::model::{Conveyor, Fixture, Part, Range};
 use num_traits::Zero as _;

@@ -1,9 +1,11 @@
 //! Plain words for places, directions and verdicts.
 
 use super::decimal::{self, Span, brief, near};
+use super::motion::{self, Run, Shown};
 use super::{Ride, Subject};
 use crate::answer::{
-    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Stability, Suggestion,
+    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Simulation, Stability, Status,
+    Suggestion,
 };
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
@@ -124,6 +126,34 @@ pub(super) fn pins(ride: &Ride, answer: &Pins) -> String {
             format!("undecided: the {} limit ended the search for pins that turn {all} into {goal}", limit.name())
         }
         (None, None, None) => format!("undecided: whether pins turn {all} into {goal} was not found out"),
+    }
+}
+
+/// The answer of `plan simulate` in one line.
+pub(super) fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
+    let time = decimal::near(answer.time, 4);
+    let ended = match &run.world.bodies[..] {
+        [only] => match (answer.last.poses.first(), answer.last.velocities.first()) {
+            (Some(pose), Some(velocity)) => {
+                let does = if motion::is_at_rest::<S>(velocity) { "is at rest" } else { "moves" };
+                let at = pose.as_ref().iter().take(S::DIMENSION).map(|x| motion::rounded(*x)).collect::<Vec<_>>();
+                let name = motion::plain(&only.name);
+                format!("{name} {does} at ({}) m, {}, after {time} s", at.join(", "), S::orientation(pose))
+            }
+            _ => format!("nothing is known after {time} s"),
+        },
+        bodies => {
+            let resting = answer.last.velocities.iter().filter(|velocity| motion::is_at_rest::<S>(velocity)).count();
+            format!("after {time} s {resting} of {} bodies are at rest", bodies.len())
+        }
+    };
+    match answer.status {
+        Status::Complete => ended,
+        Status::Ambiguous => format!("{ended}, by one of several motions that the model allows"),
+        Status::Inconsistent => format!("no motion is possible at some step: {ended}"),
+        Status::Partial => {
+            format!("stopped before the {} s asked for: {ended}", decimal::near(run.world.duration, 4))
+        }
     }
 }
 

@@ -6,12 +6,14 @@ mod number;
 mod pins;
 mod polyhedron;
 mod sets;
+mod simulation;
 mod suggest;
 mod witness;
 
 pub use layout::document;
 pub use pins::{PINS, pins, undecided_pins};
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
+pub use simulation::{SIMULATE, simulation};
 pub use suggest::{SUGGEST, suggestion};
 
 use super::Subject;

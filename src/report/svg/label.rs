@@ -29,6 +29,8 @@ pub(super) struct Labels {
     part: Option<Outline>,
     obstacles: Vec<At>,
     wanted: Vec<Label>,
+    /// Whether texts have a light rim.
+    rimmed: bool,
 }
 
 impl Labels {
@@ -38,12 +40,17 @@ impl Labels {
 
     /// Labels of a part in a frame.
     pub(super) fn around(frame: [At; 2], part: Outline) -> Self {
-        Self { frame, obstacles: part.samples(), part: Some(part), wanted: Vec::new() }
+        Self { frame, obstacles: part.samples(), part: Some(part), wanted: Vec::new(), rimmed: false }
     }
 
     /// Labels in an empty frame.
     pub(super) fn within(frame: [At; 2]) -> Self {
-        Self { frame, part: None, obstacles: Vec::new(), wanted: Vec::new() }
+        Self { frame, part: None, obstacles: Vec::new(), wanted: Vec::new(), rimmed: false }
+    }
+
+    /// Gives the texts a light rim, for labels that lie over lines.
+    pub(super) fn rimmed(self) -> Self {
+        Self { rimmed: true, ..self }
     }
 
     /// Keeps labels off these points.
@@ -72,6 +79,14 @@ impl Labels {
         self.wanted.push(Label { anchors, toward, distance, size, colour, bold: false, text, optional: true });
     }
 
+    /// Asks for a label as [`Labels::want`], to be left out where there is no room.
+    pub(super) fn offer_near(&mut self, anchor: At, toward: At, distance: f64, colour: &'static str, text: String) {
+        self.want(anchor, toward, distance, colour, false, text);
+        if let Some(label) = self.wanted.last_mut() {
+            label.optional = true;
+        }
+    }
+
     pub(super) fn draw(&self, canvas: &mut Canvas) {
         let mut taken: Vec<(At, At)> = Vec::new();
         for label in &self.wanted {
@@ -94,7 +109,11 @@ impl Labels {
                 })
                 .min_by(|a, b| a.0.total_cmp(&b.0));
             let Some((_, at)) = best.filter(|(cost, _)| !label.optional || *cost < NO_ROOM) else { continue };
-            canvas.text(at, Align::Middle, label.size, label.colour, label.bold, &label.text);
+            if self.rimmed {
+                canvas.rimmed_text(at, Align::Middle, label.size, label.colour, label.bold, &label.text);
+            } else {
+                canvas.text(at, Align::Middle, label.size, label.colour, label.bold, &label.text);
+            }
             taken.push((at, half));
         }
     }

@@ -8,11 +8,13 @@ mod legend;
 mod pins;
 mod plan;
 mod scene;
+mod simulation;
 mod suggest;
 mod tilt;
 mod view;
 
 pub use pins::pins;
+pub use simulation::simulation;
 pub use suggest::suggestion;
 
 use super::{Subject, phrase};

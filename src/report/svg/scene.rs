@@ -74,18 +74,21 @@ impl Scene {
     }
 
     fn scale_bar(&mut self) {
-        let per_pixel = self.view.units_per_pixel();
-        let wanted = per_pixel * 110.0;
-        let length = round_number(wanted);
-        let (right, y) = (WIDTH - 24.0, self.view.bottom - 8.0);
-        let left = right - length / per_pixel;
-        let tick = |x: f64| [At::new(x, y - 3.5), At::new(x, y + 3.5)];
-        self.canvas.line(&[At::new(left, y), At::new(right, y)], Pen::stroke(MUTED, 1.2));
-        self.canvas.line(&tick(left), Pen::stroke(MUTED, 1.2));
-        self.canvas.line(&tick(right), Pen::stroke(MUTED, 1.2));
-        let label = format!("{} {}", super::super::decimal::near(length, 3), self.unit);
-        self.canvas.text(At::new((left + right) / 2.0, y - 11.0), Align::Middle, 11.0, MUTED, false, &label);
+        let end = At::new(WIDTH - 24.0, self.view.bottom - 8.0);
+        scale_bar(&mut self.canvas, end, self.view.units_per_pixel(), self.unit);
     }
+}
+
+/// A bar of a round length with its right end at `end`, and that length above it.
+pub(super) fn scale_bar(canvas: &mut Canvas, end: At, units_per_pixel: f64, unit: &str) {
+    let length = round_number(units_per_pixel * 110.0);
+    let (left, y) = (end.x - length / units_per_pixel, end.y);
+    let tick = |x: f64| [At::new(x, y - 3.5), At::new(x, y + 3.5)];
+    canvas.line(&[At::new(left, y), end], Pen::stroke(MUTED, 1.2));
+    canvas.line(&tick(left), Pen::stroke(MUTED, 1.2));
+    canvas.line(&tick(end.x), Pen::stroke(MUTED, 1.2));
+    let label = format!("{} {unit}", super::super::decimal::near(length, 3));
+    canvas.text(At::new((left + end.x) / 2.0, y - 11.0), Align::Middle, 11.0, MUTED, false, &label);
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is at most `wanted`.

@@ -38,10 +38,12 @@ impl Report {
     }
 
     /// Rows under their headings, each column as wide as its widest entry.
-    pub(super) fn table<const N: usize>(&mut self, rows: &[[String; N]]) {
-        let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..N).map(width).collect();
-        for row in rows {
+    pub(super) fn table<R: AsRef<[String]>>(&mut self, rows: &[R]) {
+        let rows = || rows.iter().map(AsRef::as_ref);
+        let lengths = |column: usize| rows().filter_map(move |row| Some(row.get(column)?.chars().count()));
+        let widths: Vec<usize> =
+            (0..rows().map(<[String]>::len).max().unwrap_or(0)).map(|c| lengths(c).max().unwrap_or(0)).collect();
+        for row in rows() {
             let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
             self.text.push_str(&format!("  {}\n", cells.join("  ").trim_end()));
         }
