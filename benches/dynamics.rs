@@ -6,33 +6,42 @@
 mod peers;
 
 use cpu_time::ThreadTime;
-use partplan::dynamics::{ModelKind, Options, simulate};
+use partplan::answer::Simulation;
+use partplan::dynamics::{Mechanics, ModelKind, Options, simulate};
+use partplan::model::World;
 use std::time::Duration;
 
 fn main() {
     let wanted: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
+    let is_wanted = |name: &str| wanted.is_empty() || wanted.iter().any(|wanted| name.starts_with(wanted.as_str()));
     println!(
         "{:24} {:8} {:>8}  {:>9} {:>9} {:>11} {:>7}",
         "scene", "model", "h", "error", "us/step", "ms/sim-s", "impacts"
     );
-    for scene in peers::scenes().iter().filter(|scene| wanted.is_empty() || wanted.contains(&scene.name)) {
-        for (name, model) in [("st", ModelKind::StewartTrinkle), ("moreau", ModelKind::Moreau)] {
-            for h in [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4] {
-                let options = Options { model, step: Some(h), frames: 2, ..Options::default() };
-                let all = Options { frames: usize::MAX, ..options.clone() };
-                let run = simulate(&scene.world, &all, &mut |_| true);
-                let error = scene.error(&run);
-                let time = median(|| {
-                    std::hint::black_box(simulate(&scene.world, &options, &mut |_| true));
-                });
-                println!(
-                    "{:24} {name:8} {h:>8}  {error:>9.1e} {:>9.3} {:>11.4} {:>7}",
-                    scene.name,
-                    time.as_secs_f64() * 1e6 / run.solver.steps as f64,
-                    time.as_secs_f64() * 1e3 / scene.world.duration,
-                    run.solver.impacts,
-                );
-            }
+    for scene in peers::scenes().iter().filter(|scene| is_wanted(&scene.name)) {
+        measure(&scene.name, &scene.world, |run| scene.error(run));
+    }
+    if is_wanted("seed_sphere") {
+        measure("seed_sphere", &peers::sphere(), peers::sphere_error);
+    }
+}
+
+fn measure<S: Mechanics>(scene: &str, world: &World<S>, error: impl Fn(&Simulation<S>) -> f64) {
+    for (name, model) in [("st", ModelKind::StewartTrinkle), ("moreau", ModelKind::Moreau)] {
+        for h in [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4] {
+            let options = Options { model, step: Some(h), frames: 2, ..Options::default() };
+            let all = Options { frames: usize::MAX, ..options.clone() };
+            let run = simulate(world, &all, &mut |_| true).unwrap();
+            let error = error(&run);
+            let time = median(|| {
+                std::hint::black_box(simulate(world, &options, &mut |_| true).unwrap());
+            });
+            println!(
+                "{scene:24} {name:8} {h:>8}  {error:>9.1e} {:>9.3} {:>11.4} {:>7}",
+                time.as_secs_f64() * 1e6 / run.solver.steps as f64,
+                time.as_secs_f64() * 1e3 / world.duration,
+                run.solver.impacts,
+            );
         }
     }
 }

@@ -9,6 +9,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("exact", &[]),
     ("geometry", &["exact"]),
     ("cone", &["exact"]),
+    ("complementarity", &["exact", "cone"]),
     ("model", &["exact", "geometry"]),
     ("mechanics", &["exact", "cone", "geometry", "model"]),
     ("answer", &["exact", "model"]),

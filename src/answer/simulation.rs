@@ -15,6 +15,8 @@ pub struct Simulation<S: Space> {
     pub frames: Vec<Frame<S>>,
     /// What changed at contacts, by time.
     pub events: Vec<Event>,
+    /// Deformation of compliant contacts at the end, along n, t and o (m); also of those that are open and still heal.
+    pub deformations: Vec<(ContactName, [f64; 3])>,
     /// Energy at the start, at the end and on the way.
     pub energy: Energy,
     /// Deepest overlap met (m), not negative, and when (s).
@@ -146,6 +148,8 @@ pub struct SolverStatistics {
     pub residual: f64,
     /// Impacts located.
     pub impacts: usize,
+    /// Largest speed at which features met in an impact (m/s).
+    pub fastest_impact: f64,
     /// Steps that had to be repeated smaller.
     pub subdivided: usize,
 }

@@ -11,6 +11,8 @@ pub(super) struct Dense {
     factors: Vec<f64>,
     /// Row exchanges.
     exchanges: Vec<usize>,
+    /// Reciprocals of the pivots.
+    inverses: Vec<f64>,
     right: Vec<f64>,
 }
 
@@ -74,6 +76,7 @@ impl Dense {
     /// Gaussian elimination with row exchanges; `false` if a column has no pivot.
     fn factorize(&mut self, k: usize) -> bool {
         self.exchanges.clear();
+        self.inverses.clear();
         let a = &mut self.factors;
         for step in 0..k {
             let size = |row: usize| a[row * k + step].abs();
@@ -91,6 +94,7 @@ impl Dense {
             let (above, below) = a.split_at_mut((step + 1) * k);
             let pivot_row = &above[step * k + step + 1..];
             let inverse = 1.0 / pivot;
+            self.inverses.push(inverse);
             for row in below.chunks_exact_mut(k) {
                 let factor = row[step] * inverse;
                 row[step] = factor;
@@ -108,8 +112,11 @@ impl Dense {
     fn substitute(&mut self) {
         let (a, b) = (&self.factors, &mut self.right);
         let k = b.len();
+        // all exchanges first: those of later steps have moved the factors of earlier ones
         for (step, with) in self.exchanges.iter().enumerate() {
             b.swap(step, *with);
+        }
+        for step in 0..k {
             for row in step + 1..k {
                 b[row] -= a[row * k + step] * b[step];
             }
@@ -117,7 +124,7 @@ impl Dense {
         for step in (0..k).rev() {
             let row = &a[step * k..(step + 1) * k];
             let rest = row[step + 1..].iter().zip(&b[step + 1..]).fold(b[step], |sum, (u, x)| sum - u * x);
-            b[step] = rest / row[step];
+            b[step] = rest * self.inverses[step];
         }
     }
 }

@@ -14,8 +14,28 @@ pub struct Lcp<'a> {
     pub q: &'a [f64],
 }
 
-/// The largest residual, relative to `‖q‖∞`, with which an answer in doubles is accepted.
-pub const ACCEPTED_RESIDUAL: f64 = 1e-8;
+/// The largest violation, relative to `‖q‖∞` and beyond what rounding explains, with which an answer in doubles is accepted.
+pub const ACCEPTED_VIOLATION: f64 = 1e-9;
+
+/// The largest residual, relative to `‖q‖∞` and with what rounding can hide, with which an answer in doubles is accepted.
+pub const ACCEPTED_RESIDUAL: f64 = 1e-7;
+
+/// How well a vector solves a problem, relative to `‖q‖∞`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Residual {
+    /// The largest violation less what rounding explains.
+    pub violation: f64,
+    /// The largest violation and what rounding can hide.
+    pub bound: f64,
+}
+
+impl Residual {
+    /// Whether an answer with this residual leaves the solver.
+    #[must_use]
+    pub fn is_accepted(&self) -> bool {
+        self.violation <= ACCEPTED_VIOLATION && self.bound <= ACCEPTED_RESIDUAL
+    }
+}
 
 impl Lcp<'_> {
     /// Number of variables `z`.
@@ -38,42 +58,45 @@ impl Lcp<'_> {
         if finite(self.m) && finite(self.q) { Ok(()) } else { Err(LcpError::NotFinite) }
     }
 
-    /// Upper bound of the residual of `z ≥ 0` relative to `‖q‖∞`, rounding included; infinite for a bad `z`.
+    /// The residual of `z ≥ 0`; infinite if `z` is negative somewhere, not finite, or of another length.
     ///
-    /// The violation of row `i` is `|w_i|` where `z_i > 0` and `max(0, -w_i)` elsewhere. To it is added what rounding can
-    /// hide, `(n + 2) u s_i` with `s_i = |q_i| + Σ |m_ij| z_j`. Impulses may be 10^6 times larger than `‖q‖`; then this term
-    /// grows with them, and an answer is refused from about `s_i = 10^8 ‖q‖ / n` on, where doubles cannot tell.
+    /// The violation of row `i` is `|w_i|` where `z_i > 0` and `max(0, -w_i)` elsewhere. Rounding of the sum and of an
+    /// assembled **M** hides at most about `(n/4 + 8) u s_i`, `s_i = |q_i| + Σ |m_ij| z_j`, `u = 2^-53`. Impulses may be
+    /// 10^6 times larger than `‖q‖`; then this term grows with them, and from about `s_i = 10^7 ‖q‖` on no answer in
+    /// doubles can be accepted, because doubles cannot tell.
     ///
     /// All rows are compared in units of `q`, velocities for contacts. A row without diagonal and right side bounds one
     /// impulse by others (`mu p_n - Σ p_f`); its violation is multiplied by the largest diagonal entry of the variables
     /// in it, which makes it the velocity that the missing impulse would cause. The residual is therefore invariant under
     /// changes of the units of mass, length and time.
     #[must_use]
-    pub fn residual(&self, z: &[f64]) -> f64 {
+    pub fn residual(&self, z: &[f64]) -> Residual {
+        const REFUSED: Residual = Residual { violation: f64::INFINITY, bound: f64::INFINITY };
         let n = self.size();
         if z.len() != n || !z.iter().all(|value| *value >= 0.0 && value.is_finite()) {
-            return f64::INFINITY;
+            return REFUSED;
         }
-        let mut largest = 0.0_f64;
-        let mut norm = 0.0_f64;
-        let rounding = (n + 2) as f64 * (f64::EPSILON / 2.0);
-        for (i, row) in self.m.chunks_exact(n.max(1)).enumerate() {
+        let rounding = (n / 4 + 8) as f64 * (f64::EPSILON / 2.0);
+        let (mut violation, mut bound) = (0.0_f64, 0.0_f64);
+        for ((row, (i, q)), z_i) in self.m.chunks_exact(n.max(1)).zip(self.q.iter().enumerate()).zip(z) {
             let (product, size) = product_and_size(row, z);
-            let w = product + self.q[i];
-            let size = size + self.q[i].abs();
-            let violation = if z[i] > 0.0 { w.abs() } else { (-w).max(0.0) };
-            let mut bound = violation + rounding * size;
-            if row[i] == 0.0 && self.q[i] == 0.0 {
-                bound *= self.cone_row_unit(row);
+            let w = product + q;
+            let mut here = if *z_i > 0.0 { w.abs() } else { (-w).max(0.0) };
+            let mut hidden = rounding * (size + q.abs());
+            if row[i] == 0.0 && *q == 0.0 {
+                let unit = self.cone_row_unit(row);
+                here *= unit;
+                hidden *= unit;
             }
-            // a comparison that NaN fails
-            if bound.is_nan() {
-                return f64::INFINITY;
+            if !(here + hidden).is_finite() {
+                return REFUSED;
             }
-            largest = largest.max(bound);
-            norm = norm.max(self.q[i].abs());
+            violation = violation.max(here - hidden);
+            bound = bound.max(here + hidden);
         }
-        if largest == 0.0 { 0.0 } else { largest / norm }
+        let norm = self.norm();
+        let relative = |value: f64| if value == 0.0 { 0.0 } else { value / norm };
+        Residual { violation: relative(violation), bound: relative(bound) }
     }
 
     /// The largest diagonal entry of the variables that occur in the row.

@@ -27,7 +27,7 @@ const COVER_IS_ZERO: f64 = 1e-9;
 /// Ratios this close tie.
 const TIE: f64 = 1e-12;
 /// Entries below this part of their column's largest are rounding errors, not pivots.
-const NO_PIVOT: f64 = 1e-11;
+const NO_PIVOT: f64 = 1e-10;
 
 /// The dictionary `basic = constant + Σ entry · nonbasic` and its room, kept from solve to solve.
 ///
@@ -45,6 +45,8 @@ pub(super) struct Dictionary {
     /// Row or column of each variable.
     place: Vec<usize>,
     pivot_row: Vec<f64>,
+    /// For each row its constant, not negative, and the negative of its entry in the column that enters.
+    bounds: Vec<[f64; 2]>,
     /// Pivots so far.
     pub(super) pivots: usize,
 }
@@ -121,6 +123,8 @@ impl Dictionary {
         self.place.extend(1..=n + 1);
         self.pivot_row.clear();
         self.pivot_row.resize(stride, 0.0);
+        self.bounds.clear();
+        self.bounds.resize(n, [0.0; 2]);
     }
 
     /// Exchanges the basic variable of `row` with the nonbasic one of `column`.
@@ -153,31 +157,35 @@ impl Dictionary {
     }
 
     /// The row that bounds the growth of the variable in `column`; `z0` leaves if its value then counts as zero.
-    fn leaving<const STRIDE: usize>(&self, column: usize, zero: f64, ties: Ties) -> Option<usize> {
+    fn leaving<const STRIDE: usize>(&mut self, column: usize, zero: f64, ties: Ties) -> Option<usize> {
         let stride = if STRIDE == 0 { self.stride } else { STRIDE };
-        let rows = || self.entries.chunks_exact(stride).map(|row| (row[0], row[column]));
-        let largest = rows().fold(0.0_f64, |most, (_, entry)| entry.abs().max(most));
-        let threshold = -NO_PIVOT * largest;
-        let bounds = |entry: f64| entry < threshold;
-        let step = rows().filter(|(_, entry)| bounds(*entry)).map(|(constant, entry)| constant.max(0.0) / -entry);
-        let step = step.fold(f64::INFINITY, f64::min);
+        let mut largest = 0.0_f64;
+        for (pair, row) in self.bounds.iter_mut().zip(self.entries.chunks_exact(stride)) {
+            *pair = [row[0].max(0.0), -row[column]];
+            largest = largest.max(row[column].abs());
+        }
+        let threshold = NO_PIVOT * largest;
+        // ratios [constant, -entry] are compared without divisions; all entries that count are positive
+        let mut least = [f64::INFINITY, 1.0];
+        for pair in self.bounds.iter().filter(|pair| pair[1] > threshold) {
+            if pair[0] * least[1] < least[0] * pair[1] {
+                least = *pair;
+            }
+        }
+        let step = least[0] / least[1];
         if step == f64::INFINITY {
             return None;
         }
         let cover = self.place[2 * self.size];
-        let (constant, entry) = (self.entries[cover * stride], self.entries[cover * stride + column]);
-        if bounds(entry) && constant + entry * step <= zero {
+        let [constant, entry] = self.bounds[cover];
+        if entry > threshold && constant - entry * step <= zero {
             return Some(cover);
         }
         let limit = step + TIE * step;
-        let tied = rows().enumerate().filter(|(_, (constant, entry))| {
-            bounds(*entry) && (*constant <= -entry * limit || *constant <= 0.0) // a step of zero ties with rounding
-        });
+        let is_tied = |pair: &[f64; 2]| pair[1] > threshold && pair[0] <= pair[1] * limit;
+        let tied = self.bounds.iter().enumerate().filter(|(_, pair)| is_tied(pair));
         match ties {
-            Ties::LargestPivot => {
-                let least = |a: (usize, (f64, f64)), b: (usize, (f64, f64))| if b.1.1 < a.1.1 { b } else { a };
-                tied.reduce(least).map(|(row, _)| row)
-            }
+            Ties::LargestPivot => tied.reduce(|a, b| if b.1[1] > a.1[1] { b } else { a }).map(|(row, _)| row),
             Ties::Lexicographic => tied.map(|(row, _)| row).reduce(|a, b| self.lexicographic(a, b, column)),
         }
     }

@@ -1,11 +1,12 @@
 //! The ladder of methods behind one function.
 
+use super::decide::{Decision, decide};
 use super::dense::Dense;
 use super::lemke::{Dictionary, End, Ties};
 use super::newton::Newton;
 use super::scaling::Scaled;
-use super::{ACCEPTED_RESIDUAL, Basis, ExactLcp, Lcp, LcpError, Limits, Rung, Solution, Undecided, Verdict};
-use crate::exact::Q;
+use super::{Basis, ExactLcp, Lcp, LcpError, Limits, Rung, Solution, Verdict};
+use crate::exact::{Q, to_f64};
 
 /// A solver with its room, to be kept from step to step: in doubles it allocates only when a problem is larger than all
 /// before it.
@@ -32,6 +33,9 @@ pub struct Solver {
     cover: Vec<f64>,
     z: Vec<f64>,
     basis: Basis,
+    /// Of the bases that failed, the one with the least violation.
+    best_basis: Basis,
+    best: f64,
     exact: Vec<Q>,
 }
 
@@ -62,6 +66,7 @@ impl Solver {
         exact: &dyn Fn() -> Result<ExactLcp, LcpError>,
     ) -> Result<Verdict<'_>, LcpError> {
         lcp.check()?;
+        self.best = f64::INFINITY;
         let mut pivots = 0;
         let found = match self.quick(lcp, warm) {
             None => self.in_doubles(lcp, &mut pivots),
@@ -71,8 +76,31 @@ impl Solver {
             let Self { z, basis, .. } = self;
             return Ok(Verdict::Solved(Solution { z, residual, pivots, rung, basis, exact: None }));
         }
-        let _ = (exact, &self.exact);
-        Ok(Verdict::Undecided(Undecided::Pivots(pivots)))
+        let exact = exact()?;
+        if exact.size() != lcp.size() {
+            return Err(LcpError::Sizes { exact: exact.size(), doubles: lcp.size() });
+        }
+        let proposed = self.best.is_finite().then_some(&self.best_basis);
+        let (decision, more) = decide(&exact, proposed, self.limits);
+        pivots += more;
+        Ok(match decision {
+            Decision::None(proof) => Verdict::NoSolution(proof),
+            Decision::Undecided(why) => Verdict::Undecided(why),
+            Decision::Solved { z, basis, rung } => {
+                self.z.clear();
+                self.z.extend(z.iter().map(to_f64));
+                (self.basis, self.exact) = (basis, z);
+                let Self { z, basis, exact, .. } = self;
+                Verdict::Solved(Solution {
+                    z,
+                    residual: lcp.residual(z).bound,
+                    pivots,
+                    rung,
+                    basis,
+                    exact: Some(exact),
+                })
+            }
+        })
     }
 
     /// No contact, or those of the last step.
@@ -147,9 +175,13 @@ impl Solver {
     }
 
     /// Whether `self.z` passes its check.
-    fn accepted(&self, lcp: Lcp<'_>, rung: Rung) -> Option<Found> {
+    fn accepted(&mut self, lcp: Lcp<'_>, rung: Rung) -> Option<Found> {
         let residual = lcp.residual(&self.z);
-        (residual <= ACCEPTED_RESIDUAL).then_some(Found { rung, residual })
+        if !residual.is_accepted() && residual.violation < self.best {
+            self.best = residual.violation;
+            self.best_basis.copy_from(&self.basis);
+        }
+        residual.is_accepted().then_some(Found { rung, residual: residual.bound })
     }
 }
 

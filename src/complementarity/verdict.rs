@@ -19,8 +19,8 @@ pub enum Verdict<'a> {
 pub struct Solution<'a> {
     /// The variables; on [`Rung::Exact`] and after it the doubles nearest to `exact`.
     pub z: &'a [f64],
-    /// [`Lcp::residual`](super::Lcp::residual) of `z`, at most [`ACCEPTED_RESIDUAL`](super::ACCEPTED_RESIDUAL) on the
-    /// rungs in doubles.
+    /// The bound of [`Lcp::residual`](super::Lcp::residual) for `z`, at most
+    /// [`ACCEPTED_RESIDUAL`](super::ACCEPTED_RESIDUAL) on the rungs in doubles.
     pub residual: f64,
     /// Pivots on all rungs together.
     pub pivots: usize,
@@ -68,6 +68,22 @@ impl Rung {
         Self::Exact,
         Self::Cases,
     ];
+
+    /// Its name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Warm => "warm",
+            Self::Lemke => "lemke",
+            Self::Refined => "refined",
+            Self::Scaled => "scaled",
+            Self::Covers => "covers",
+            Self::Newton => "newton",
+            Self::Exact => "exact",
+            Self::Cases => "cases",
+        }
+    }
 }
 
 /// Why a problem has no solution; a reader can check it with sums and signs alone.
@@ -119,15 +135,12 @@ pub struct Limits {
     pub exact_pivots: usize,
     /// Complementary cases to look at after a ray without proof. 4096 by default.
     pub cases: usize,
+    /// Variables up to which complementary cases are looked at; their number and cost grow exponentially. 20 by default.
+    pub case_variables: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { first: Rung::Free, pivots_per_variable: 60, exact_pivots: 10_000, cases: 4096 }
-    }
-}
-impl Rung {
-    pub fn name(self) -> &'static str {
-        ["free", "warm", "lemke", "refined", "scaled", "covers", "newton", "exact", "cases"][self as usize]
+        Self { first: Rung::Free, pivots_per_variable: 60, exact_pivots: 10_000, cases: 4096, case_variables: 20 }
     }
 }

@@ -41,6 +41,17 @@ impl<S: Space> Contact<S> {
     }
 }
 
+impl<S: Space> Contact<S> {
+    /// A bound of the speeds that meet at the contact (m/s): what a slip is compared with.
+    pub fn speed(&self, velocities: &[S::Velocity]) -> f64 {
+        let size = |rows: &S::Rows, velocity: &S::Velocity| -> f64 {
+            let tangential = rows.as_ref().iter().skip(1);
+            tangential.flat_map(|row| row.as_ref().iter().zip(velocity.as_ref())).map(|(a, b)| (a * b).abs()).sum()
+        };
+        self.sides().map(|(body, rows)| size(rows, &velocities[body])).sum()
+    }
+}
+
 /// The product of two short arrays.
 pub(super) fn dot<E: AsRef<[f64]>>(a: &E, b: &E) -> f64 {
     a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| a * b).sum()

@@ -43,6 +43,10 @@ impl Impact {
         let mut free = Vec::new();
         state.free(world, self.h, &mut free);
         let coefficients: Vec<f64> = struck.iter().map(|contact| self.restitution(contact, state, &free)).collect();
+        total.impacts += 1;
+        for contact in &struck {
+            total.fastest_impact = total.fastest_impact.max(-contact.velocity(0, &state.velocities));
+        }
         let energy = state.kinetic_energy(world);
         let before = state.velocities.clone();
         let mut share = 1.0;

@@ -6,12 +6,33 @@ use crate::answer::ContactName;
 use crate::complementarity::{Basis, ExactLcp, Factors, Lcp, LcpError, Proof, Rung, Solver, Undecided, Verdict};
 use crate::model::World;
 
+/// Most times that friction cones are turned in one problem.
+const MAX_ALIGNMENTS: usize = 20;
+
+/// Turn of a cone (rad) that no longer matters.
+const ALIGNED: f64 = 1e-9;
+
+/// Slip, relative to the speeds that meet at a contact, that is told from rounding.
+pub(super) const SLIPPING: f64 = 1e-9;
+
+/// How Coulomb's cone is met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FrictionCone {
+    /// By the inscribed pyramid (8) with as many edges as the scene says; exact in the plane.
+    Edges,
+    /// By a pyramid turned until an edge of it lies against the slip: the exact disc.
+    Disc,
+}
+
 /// Builds and solves contact problems; keeps its memory and its last basis between steps.
 #[derive(Debug)]
 pub(super) struct Impulses<S: Mechanics> {
     solver: Solver,
-    /// Directions of the friction cone along (t, o), all contacts alike.
+    cone: FrictionCone,
+    /// Edges of a friction cone along (t, o).
     directions: Vec<[f64; 2]>,
+    /// Edges of the cones of all contacts of the problem, contact by contact.
+    edges: Vec<[f64; 2]>,
     /// M⁻¹ times the rows of each contact, on the body and on the other.
     weighed: Vec<(S::Rows, Option<S::Rows>)>,
     /// Wᵀ M⁻¹ W over the rows n, t (o) of all contacts.
@@ -20,14 +41,21 @@ pub(super) struct Impulses<S: Mechanics> {
     q: Vec<f64>,
     warm: Basis,
     warm_names: Vec<ContactName>,
+    /// Whether a contact of a problem since this was last reset is pressed harder by its own friction the more it pushes,
+    /// A_nn < μ |A_nt|: then forces may not exist or not be unique.
+    pub is_suspect: bool,
     /// Impulses along n, t and o of the last problem, a contact each (N s).
     pub answer: Vec<[f64; 3]>,
 }
 
 impl<S: Mechanics> Impulses<S> {
-    pub fn new(world: &World<S>) -> Self {
+    pub fn new(world: &World<S>, cone: FrictionCone) -> Self {
         let is_frictionless = world.materials.iter().all(|material| material.friction == 0.0);
-        let n = if is_frictionless { 0 } else { world.directions };
+        let n = match cone {
+            _ if is_frictionless => 0,
+            FrictionCone::Disc if S::TANGENTS == 2 => 4,
+            _ => world.directions,
+        };
         let around = |j: usize| {
             let (sine, cosine) = libm::sincos(std::f64::consts::TAU * j as f64 / n as f64);
             [cosine, sine]
@@ -36,13 +64,16 @@ impl<S: Mechanics> Impulses<S> {
         let directions = if n == 2 { vec![[1.0, 0.0], [-1.0, 0.0]] } else { (0..n).map(around).collect() };
         Self {
             solver: Solver::default(),
+            cone: if S::TANGENTS == 1 { FrictionCone::Edges } else { cone },
             directions,
+            edges: Vec::new(),
             weighed: Vec::new(),
             gram: Vec::new(),
             m: Vec::new(),
             q: Vec::new(),
             warm: Basis::default(),
             warm_names: Vec::new(),
+            is_suspect: false,
             answer: Vec::new(),
         }
     }
@@ -64,8 +95,53 @@ impl<S: Mechanics> Impulses<S> {
         let n_rows = 1 + if self.directions.is_empty() { 0 } else { S::TANGENTS };
         self.weigh(world, poses, contacts);
         self.multiply(contacts, n_rows);
-        self.assemble(contacts, offset, pressed, velocities, n_rows);
-        self.complement(world, poses, contacts).inspect(|_| self.apply(contacts, velocities, n_rows))
+        self.is_suspect |= self.suspects(contacts, n_rows);
+        self.edges.clear();
+        contacts.iter().for_each(|_| self.edges.extend_from_slice(&self.directions));
+        if self.cone == FrictionCone::Edges || n_rows == 1 {
+            self.assemble(contacts, offset, pressed, velocities, n_rows);
+            let solved = self.complement(world, poses, contacts)?;
+            self.apply(contacts, velocities, n_rows);
+            return Ok(solved);
+        }
+        let free = velocities.to_vec();
+        let mut total = Solved::nothing();
+        self.align(contacts, velocities);
+        for _ in 0..MAX_ALIGNMENTS {
+            velocities.copy_from_slice(&free);
+            self.assemble(contacts, offset, pressed, velocities, n_rows);
+            total.add(self.complement(world, poses, contacts)?);
+            self.apply(contacts, velocities, n_rows);
+            if self.align(contacts, velocities) <= ALIGNED {
+                return Ok(total);
+            }
+        }
+        Ok(total)
+    }
+
+    /// Turns the cone of each contact that slips so that an edge lies against its slip; returns the largest turn.
+    ///
+    /// Friction along an edge is that of the exact disc, so that a solution in which nothing turns any more is one for the
+    /// disc.
+    fn align(&mut self, contacts: &[Contact<S>], velocities: &[S::Velocity]) -> f64 {
+        let mut largest = 0.0_f64;
+        for (contact, edges) in contacts.iter().zip(self.edges.chunks_exact_mut(self.directions.len())) {
+            let slip = [contact.velocity(1, velocities), contact.velocity(2, velocities)];
+            let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
+            if speed <= SLIPPING * contact.speed(velocities) {
+                continue;
+            }
+            let against = slip.map(|s| -s / speed);
+            let nearest = edges.iter().map(|edge| against[0] * edge[0] + against[1] * edge[1]).fold(-1.0, f64::max);
+            let turn = (2.0 * (1.0 - nearest)).max(0.0).sqrt();
+            if turn > ALIGNED {
+                largest = largest.max(turn);
+                for (edge, [t, o]) in edges.iter_mut().zip(&self.directions) {
+                    *edge = [t * against[0] - o * against[1], t * against[1] + o * against[0]];
+                }
+            }
+        }
+        largest
     }
 
     fn weigh(&mut self, world: &World<S>, poses: &[S::Pose], contacts: &[Contact<S>]) {
@@ -111,6 +187,16 @@ impl<S: Mechanics> Impulses<S> {
         }
     }
 
+    /// Whether some A_nn < μ |A_nt|.
+    fn suspects(&self, contacts: &[Contact<S>], n_rows: usize) -> bool {
+        let size = contacts.len() * n_rows;
+        contacts.iter().enumerate().any(|(i, contact)| {
+            let row = &self.gram[i * n_rows * size + i * n_rows..][..n_rows];
+            let tangential: f64 = row[1..].iter().map(|a| a * a).sum();
+            row[0] * row[0] < contact.material.friction.powi(2) * tangential
+        })
+    }
+
     /// M and q of (12) and (13); U is diag(mu), as ERRATA reads the paper.
     fn assemble(
         &mut self,
@@ -125,7 +211,7 @@ impl<S: Mechanics> Impulses<S> {
         let gram_size = n_c * n_rows;
         let gram = |row: usize, column: usize| self.gram[row * gram_size + column];
         // the components of direction d along the rows after the normal
-        let along = |d: usize, s: usize| self.directions[d][s - 1];
+        let along = |contact: usize, d: usize, s: usize| self.edges[contact * n_l + d][s - 1];
         self.m.clear();
         self.m.resize(size * size, 0.0);
         self.q.clear();
@@ -137,16 +223,16 @@ impl<S: Mechanics> Impulses<S> {
             }
             for d in 0..n_l {
                 let row = n_c + i * n_l + d;
-                self.q[row] = (1..n_rows).map(|s| along(d, s) * contact.velocity(s, free)).sum();
+                self.q[row] = (1..n_rows).map(|s| along(i, d, s) * contact.velocity(s, free)).sum();
                 for j in 0..n_c {
-                    let normal: f64 = (1..n_rows).map(|s| along(d, s) * gram(i * n_rows + s, j * n_rows)).sum();
+                    let normal: f64 = (1..n_rows).map(|s| along(i, d, s) * gram(i * n_rows + s, j * n_rows)).sum();
                     self.m[row * size + j] = normal;
                     self.m[j * size + row] = normal;
                     for e in 0..n_l {
                         let mut sum = 0.0;
                         for s in 1..n_rows {
                             for r in 1..n_rows {
-                                sum += along(d, s) * gram(i * n_rows + s, j * n_rows + r) * along(e, r);
+                                sum += along(i, d, s) * gram(i * n_rows + s, j * n_rows + r) * along(j, e, r);
                             }
                         }
                         self.m[row * size + n_c + j * n_l + e] = sum;
@@ -165,8 +251,8 @@ impl<S: Mechanics> Impulses<S> {
 
     fn complement(&mut self, world: &World<S>, poses: &[S::Pose], contacts: &[Contact<S>]) -> Result<Solved, Refused> {
         let is_same = self.warm_names.iter().copied().eq(contacts.iter().map(|contact| contact.name));
-        let Self { solver, directions, m, q, warm, .. } = self;
-        let exact = || exact_problem(world, poses, contacts, directions, q);
+        let Self { solver, edges, m, q, warm, .. } = self;
+        let exact = || exact_problem(world, poses, contacts, edges, q);
         let verdict = solver.solve(Lcp { m, q }, is_same.then_some(&*warm), &exact)?;
         let solution = match verdict {
             Verdict::Solved(solution) => solution,
@@ -182,20 +268,15 @@ impl<S: Mechanics> Impulses<S> {
         self.answer.clear();
         self.answer.extend((0..n_c).map(|i| {
             let mut impulse = [solution.z[i], 0.0, 0.0];
-            for (d, [t, o]) in self.directions.iter().enumerate() {
+            for (d, [t, o]) in self.edges[i * n_l..(i + 1) * n_l].iter().enumerate() {
                 let along = solution.z[n_c + i * n_l + d];
                 impulse[1] += along * t;
                 impulse[2] += along * o;
             }
             impulse
         }));
-        Ok(Solved {
-            residual: solution.residual,
-            pivots: solution.pivots,
-            rung: solution.rung,
-            problems: 1,
-            impacts: 0,
-        })
+        let (residual, pivots, rung) = (solution.residual, solution.pivots, solution.rung);
+        Ok(Solved { residual, pivots, rung, problems: 1, ..Solved::nothing() })
     }
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
@@ -218,11 +299,23 @@ pub(super) struct Solved {
     pub rung: Rung,
     pub problems: usize,
     pub impacts: usize,
+    pub fastest_impact: f64,
+    pub fallbacks: Fallbacks,
+}
+
+/// What a step needed besides its first attempt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Fallbacks {
+    /// Problems that the answers for shorter steps led to.
+    pub continued: usize,
+    /// Steps that were halved.
+    pub divided: usize,
 }
 
 impl Solved {
     pub fn nothing() -> Self {
-        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0 }
+        let fallbacks = Fallbacks::default();
+        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0, fastest_impact: 0.0, fallbacks }
     }
 
     /// Adds the work of another problem of the same step.
@@ -232,6 +325,9 @@ impl Solved {
         self.rung = self.rung.max(other.rung);
         self.problems += other.problems;
         self.impacts += other.impacts;
+        self.fastest_impact = self.fastest_impact.max(other.fastest_impact);
+        self.fallbacks.continued += other.fallbacks.continued;
+        self.fallbacks.divided += other.fallbacks.divided;
     }
 }
 
@@ -244,6 +340,10 @@ pub(super) enum Refused {
     Undecided(Undecided),
     /// The numbers are no problem at all: something overflowed.
     Broken(LcpError),
+    /// The equation of a compliant step was not solved, however short the step.
+    Unsolved,
+    /// A contact so soft that a body would be `depth` deep in another, beyond `half` its thickness (m).
+    TooSoft { depth: f64, half: f64 },
 }
 
 impl From<LcpError> for Refused {
@@ -257,7 +357,7 @@ fn exact_problem<S: Mechanics>(
     world: &World<S>,
     poses: &[S::Pose],
     contacts: &[Contact<S>],
-    directions: &[[f64; 2]],
+    edges: &[[f64; 2]],
     q: &[f64],
 ) -> Result<ExactLcp, LcpError> {
     let dof = S::Velocity::default().as_ref().len();
@@ -276,10 +376,11 @@ fn exact_problem<S: Mechanics>(
         }
     };
     contacts.iter().for_each(|contact| push(contact, [1.0, 0.0, 0.0]));
-    for contact in contacts {
-        directions.iter().for_each(|[t, o]| push(contact, [0.0, *t, *o]));
+    let n_l = edges.len() / contacts.len().max(1);
+    for (i, contact) in contacts.iter().enumerate() {
+        edges[i * n_l..(i + 1) * n_l].iter().for_each(|[t, o]| push(contact, [0.0, *t, *o]));
     }
     let inverse_mass: Vec<f64> = world.bodies.iter().flat_map(|body| S::inverse_mass(body).as_ref().to_vec()).collect();
     let mu: Vec<f64> = contacts.iter().map(|contact| contact.material.friction).collect();
-    Factors { jacobian: &jacobian, inverse_mass: &inverse_mass, mu: &mu, directions: directions.len(), q }.to_exact()
+    Factors { jacobian: &jacobian, inverse_mass: &inverse_mass, mu: &mu, directions: n_l, q }.to_exact()
 }

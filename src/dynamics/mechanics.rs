@@ -59,6 +59,10 @@ pub trait Mechanics: Space {
     #[doc(hidden)]
     fn potential(gravity: &Self::Vector, pose: &Self::Pose) -> f64;
 
+    /// A distance that no point of a body of this radius is farther from in one pose than in the other (m).
+    #[doc(hidden)]
+    fn separation(radius: f64, a: &Self::Pose, b: &Self::Pose) -> f64;
+
     /// A distance that no point of the body is farther away from its center of mass (m).
     #[doc(hidden)]
     fn radius(body: &Body<Self>) -> f64;
@@ -66,6 +70,29 @@ pub trait Mechanics: Space {
     /// A speed that no point of the body exceeds (m/s).
     #[doc(hidden)]
     fn fastest(radius: f64, velocity: &Self::Velocity) -> f64;
+
+    /// The same pair of features after the bodies moved from the poses `from`, where `contact` was found, to `to`.
+    #[doc(hidden)]
+    fn follow(
+        outlines: &Self::Outlines,
+        world: &World<Self>,
+        contact: &Contact<Self>,
+        from: &[Self::Pose],
+        to: &[Self::Pose],
+    ) -> Contact<Self>;
+
+    /// How a wrench that acts at `point` times a velocity changes as the body turns, the point with it; a row.
+    #[doc(hidden)]
+    fn swing(
+        point: &Self::Vector,
+        pose: &Self::Pose,
+        wrench: &Self::Velocity,
+        velocity: &Self::Velocity,
+    ) -> Self::Velocity;
+
+    /// Half the least thickness of a shape (m); infinite for what lies below a line or plane.
+    #[doc(hidden)]
+    fn half_thickness(shape: &Self::Shape) -> f64;
 }
 
 /// The contacts of a step.

@@ -4,13 +4,24 @@ mod collide;
 mod contact;
 mod impact;
 mod impulses;
+mod judge;
+mod ladder;
 mod mechanics;
 mod moreau;
 mod nearby;
 mod options;
+mod paradox;
 mod planar;
+mod planar_follow;
 mod project;
 mod run;
+mod song_pang_kumar;
+mod song_pang_kumar_check;
+mod song_pang_kumar_climb;
+mod song_pang_kumar_law;
+mod song_pang_kumar_memory;
+mod song_pang_kumar_newton;
+mod song_pang_kumar_solve;
 mod spatial;
 mod state;
 mod stepper;
@@ -18,29 +29,40 @@ mod stewart_trinkle;
 
 pub use mechanics::Mechanics;
 pub use options::{ModelKind, Options};
+pub use song_pang_kumar_check::SimulationError;
 
 use crate::answer::{ModelChoice, Simulation};
 use crate::model::World;
 use moreau::Moreau;
+use song_pang_kumar::SongPangKumar;
 use stewart_trinkle::StewartTrinkle;
 
 /// Runs a scene.
 ///
 /// `watch` is told the time reached before every step and ends the run, marked partial, by answering `false`.
+///
+/// # Errors
+/// [`SimulationError`] if Song, Pang and Kumar's model is asked for and a pair that can touch has no usable compliance.
 pub fn simulate<S: Mechanics>(
     world: &World<S>,
     options: &Options,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Simulation<S> {
+) -> Result<Simulation<S>, SimulationError> {
     let step = options.step.or(world.step).unwrap_or(1e-3);
-    let model = |chosen| ModelChoice { chosen, step, ..ModelChoice::default() };
+    let choice = |chosen| ModelChoice { chosen, step, ..ModelChoice::default() };
     match options.model {
-        ModelKind::Auto | ModelKind::Moreau => {
-            run::run(world, options, model("moreau"), &mut Moreau::new(world), watch)
+        ModelKind::SongPangKumar => {
+            song_pang_kumar_check::check(world)?;
+            let mut stepper = SongPangKumar::new(world, options.second_order);
+            let mut simulation = run::run(world, options, choice("spk"), &mut stepper, watch);
+            simulation.notes.splice(0..0, song_pang_kumar_check::notes(world));
+            Ok(simulation)
         }
-        _ => {
+        ModelKind::StewartTrinkle => {
             let mut stepper = StewartTrinkle::new(world, options.recovery_speed.unwrap_or(f64::INFINITY));
-            run::run(world, options, model("st"), &mut stepper, watch)
+            Ok(run::run(world, options, choice("st"), &mut stepper, watch))
         }
+        ModelKind::Auto => ladder::climb(world, options, watch),
+        ModelKind::Moreau => Ok(run::run(world, options, choice("moreau"), &mut Moreau::new(world), watch)),
     }
 }

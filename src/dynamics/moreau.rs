@@ -6,7 +6,7 @@
 
 use super::contact::Contact;
 use super::impact::Impact;
-use super::impulses::{Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::project::{Held, project};
@@ -20,6 +20,9 @@ const MAX_IMPACTS: usize = 32;
 
 /// Most substeps tried to locate one impact.
 const MAX_TRIALS: usize = 60;
+
+/// Most pieces that a step is cut into so that nothing is passed through.
+const MAX_PIECES: f64 = 1e6;
 
 /// Most projections after a substep.
 const MAX_PROJECTIONS: usize = 4;
@@ -51,6 +54,8 @@ pub(super) struct Moreau<'w, S: Mechanics> {
     touches: Vec<(Contact<S>, [f64; 3], f64)>,
     /// A gap up to this counts as touching (m).
     touching: f64,
+    /// Least distance over which one outline can pass through another unseen (m).
+    thinnest: f64,
     /// Length of the whole step.
     h: f64,
     deepest: f64,
@@ -59,11 +64,11 @@ pub(super) struct Moreau<'w, S: Mechanics> {
 impl<'w, S: Mechanics> Moreau<'w, S> {
     pub fn new(world: &'w World<S>) -> Self {
         let nearby = Nearby::new(world);
-        let touching = 1e-9 * nearby.size().min(1e3);
+        let (touching, thinnest) = (nearby.touching(), nearby.thinnest());
         Self {
             world,
             nearby,
-            impulses: Impulses::new(world),
+            impulses: Impulses::new(world, FrictionCone::Disc),
             current: State::start(world),
             trial: State::start(world),
             here: Vec::new(),
@@ -78,6 +83,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             passed: Vec::new(),
             touches: Vec::new(),
             touching,
+            thinnest,
             h: 0.0,
             deepest: 0.0,
         }
@@ -185,6 +191,17 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
         (is_pressed || contact.gap < -self.touching).then_some(Held { contact: *contact, is_pressed })
     }
 
+    /// At most `left`, and so little that nothing passes through anything unseen.
+    fn seen(&self, left: f64) -> f64 {
+        if self.here.is_empty() || self.thinnest == f64::INFINITY {
+            return left;
+        }
+        let speed =
+            self.nearby.closing_speed(&self.current.velocities).max(self.nearby.closing_speed(&self.velocities));
+        let pieces = (left * speed / (0.5 * self.thinnest)).ceil();
+        if pieces > 1.0 { left / pieces.min(MAX_PIECES) } else { left }
+    }
+
     /// Finds the contacts at `current`.
     fn look(&mut self) {
         self.current.free(self.world, self.h, &mut self.velocities);
@@ -247,6 +264,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
         (self.h, self.deepest) = (h, 0.0);
         self.current.clone_from(state);
+        self.impulses.is_suspect = false;
         self.touches.clear();
         self.forced.clear();
         self.look();
@@ -266,18 +284,19 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
                     add_touch(&mut self.touches, &contact, impulse, self.current.time);
                 }
             }
-            self.substep(left, &mut total)?;
+            let r = self.seen(left);
+            self.substep(r, &mut total)?;
             if self.passed.is_empty() {
                 self.accept();
-                break;
+                left -= r;
+                continue;
             }
             if impacts >= MAX_IMPACTS {
                 self.forced.append(&mut self.passed);
                 continue;
             }
-            left -= self.locate(left, &mut total)?;
+            left -= self.locate(r, &mut total)?;
         }
-        total.impacts += impacts;
         std::mem::swap(state, &mut self.current);
         Ok(total)
     }
@@ -288,6 +307,10 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
 
     fn deepest(&self) -> f64 {
         self.deepest
+    }
+
+    fn is_suspect(&self) -> bool {
+        self.impulses.is_suspect
     }
 }
 

@@ -22,16 +22,37 @@ impl<'w, S: Mechanics> Nearby<'w, S> {
         self.radii.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
+    /// A gap up to this counts as touching: a billionth of the smallest body (m).
+    pub fn touching(&self) -> f64 {
+        1e-9 * self.size().min(1e3)
+    }
+
+    /// Least distance over which one outline can pass through another unseen, from contact to contact (m).
+    pub fn thinnest(&self) -> f64 {
+        let n = self.world.bodies.len();
+        let half = |at: usize| match at.checked_sub(n) {
+            None => S::half_thickness(&self.world.bodies[at].shape),
+            Some(fixed) => S::half_thickness(&self.world.fixed[fixed].shape),
+        };
+        let pairs = (0..n).flat_map(|a| (a + 1..n + self.world.fixed.len()).map(move |b| (a, b)));
+        pairs.map(|(a, b)| half(a) + half(b)).fold(f64::INFINITY, f64::min)
+    }
+
     /// A distance beyond which no pair of features meets in a step at these velocities, or the scene's margin if that is
     /// larger (m).
     pub fn reach(&self, velocities: &[S::Velocity], h: f64) -> f64 {
+        let swept = 1.1 * h * self.closing_speed(velocities);
+        self.world.margin.map_or(swept, |margin| margin.max(swept))
+    }
+
+    /// A speed at which no two points approach each other faster (m/s).
+    pub fn closing_speed(&self, velocities: &[S::Velocity]) -> f64 {
         let (mut first, mut second) = (0.0_f64, 0.0_f64);
         for (radius, velocity) in self.radii.iter().zip(velocities) {
             let speed = S::fastest(*radius, velocity);
             (first, second) = if speed > first { (speed, first) } else { (first, second.max(speed)) };
         }
-        let swept = 1.1 * h * (first + second);
-        self.world.margin.map_or(swept, |margin| margin.max(swept))
+        first + second
     }
 
     /// Every contact with a gap of at most `reach`, in a fixed order.

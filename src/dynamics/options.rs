@@ -11,6 +11,9 @@ pub struct Options {
     pub tolerance: f64,
     /// Fastest recovery from overlap (m/s); without it the paper's φ/h.
     pub recovery_speed: Option<f64>,
+    /// Whether compliant contacts are stepped by a scheme of second order where their dashpots allow it, instead of
+    /// the paper's first-order one.
+    pub second_order: bool,
     /// Most frames kept, evenly spaced.
     pub frames: usize,
     /// Most steps, substeps counted.
@@ -24,6 +27,7 @@ impl Default for Options {
             step: None,
             tolerance: 1e-3,
             recovery_speed: None,
+            second_order: false,
             frames: 2_000,
             max_steps: 50_000_000,
         }

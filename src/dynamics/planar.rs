@@ -3,27 +3,28 @@
 use super::collide::{Outline, distance, dot, sub};
 use super::contact::Contact;
 use super::mechanics::{Contacts, Mechanics};
+use super::planar_follow;
 use crate::answer::{ContactName, Feature};
 use crate::model::{Body, Material, Planar, PlanarShape, World};
 
 /// Outlines of bodies and obstacles, piece by piece.
 #[derive(Debug)]
 pub struct PlanarOutlines {
-    own: Vec<Vec<Piece>>,
+    pub(super) own: Vec<Vec<Piece>>,
     placed: Vec<Vec<Piece>>,
-    fixed: Vec<Vec<Piece>>,
+    pub(super) fixed: Vec<Vec<Piece>>,
 }
 
 /// A convex or simple piece of an outline.
 #[derive(Debug, Clone)]
-struct Piece {
+pub(super) struct Piece {
     /// Number of its first vertex, edge or surface in the whole outline.
-    first: u32,
-    kind: Kind,
+    pub first: u32,
+    pub kind: Kind,
 }
 
 #[derive(Debug, Clone)]
-enum Kind {
+pub(super) enum Kind {
     Polygon(Outline),
     Disc { center: [f64; 2], radius: f64 },
     HalfPlane { point: [f64; 2], normal: [f64; 2] },
@@ -104,6 +105,10 @@ impl Mechanics for Planar {
         -(gravity[0] * pose[0] + gravity[1] * pose[1])
     }
 
+    fn separation(radius: f64, a: &[f64; 3], b: &[f64; 3]) -> f64 {
+        distance([a[0], a[1]], [b[0], b[1]]) + radius * (a[2] - b[2]).abs()
+    }
+
     fn radius(body: &Body<Self>) -> f64 {
         let farthest = |piece: &Piece| match &piece.kind {
             Kind::Polygon(outline) => outline.vertices.iter().map(|v| dot(*v, *v).sqrt()).fold(0.0, f64::max),
@@ -115,6 +120,24 @@ impl Mechanics for Planar {
 
     fn fastest(radius: f64, [x, y, spin]: &[f64; 3]) -> f64 {
         (x * x + y * y).sqrt() + radius * spin.abs()
+    }
+
+    fn follow(
+        outlines: &PlanarOutlines,
+        _: &World<Self>,
+        contact: &Contact<Self>,
+        from: &[[f64; 3]],
+        to: &[[f64; 3]],
+    ) -> Contact<Self> {
+        planar_follow::follow(outlines, contact, from, to)
+    }
+
+    fn swing(point: &[f64; 2], pose: &[f64; 3], wrench: &[f64; 3], velocity: &[f64; 3]) -> [f64; 3] {
+        planar_follow::swing(point, pose, wrench, velocity)
+    }
+
+    fn half_thickness(shape: &PlanarShape) -> f64 {
+        planar_follow::half_thickness(shape)
     }
 }
 
@@ -225,25 +248,27 @@ impl Pair<'_> {
         if gap > self.reach {
             return;
         }
-        let t = [n[1], -n[0]];
-        let rows = |pose: &[f64; 3], sign: f64| {
-            let r = [point[0] - pose[0], point[1] - pose[1]];
-            [n, t].map(|d| [sign * d[0], sign * d[1], sign * (r[0] * d[1] - r[1] * d[0])])
-        };
         self.out.push(Contact {
             name: ContactName { body: self.body, feature, other: self.other, other_feature },
             gap,
             point,
             normal: n,
-            rows: rows(self.pose, 1.0),
-            other_rows: self.other_pose.map(|pose| rows(pose, -1.0)),
+            rows: rows(point, n, self.pose, 1.0),
+            other_rows: self.other_pose.map(|pose| rows(point, n, pose, -1.0)),
             surface: self.surface.unwrap_or_default(),
             material: self.material,
         });
     }
 }
 
-fn pieces(shape: &PlanarShape) -> Vec<Piece> {
+/// W_n and W_t of a body at `pose`, times `sign`.
+pub(super) fn rows(point: [f64; 2], n: [f64; 2], pose: &[f64; 3], sign: f64) -> [[f64; 3]; 2] {
+    let t = [n[1], -n[0]];
+    let r = [point[0] - pose[0], point[1] - pose[1]];
+    [n, t].map(|d| [sign * d[0], sign * d[1], sign * (r[0] * d[1] - r[1] * d[0])])
+}
+
+pub(super) fn pieces(shape: &PlanarShape) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut first = 0;
     let mut add = |shape: &PlanarShape| {

@@ -1,7 +1,8 @@
 //! A run from start to end: steps, and what is worth keeping of them.
 
 use super::contact::{Contact, dot};
-use super::impulses::{Refused, Solved};
+use super::impulses::{Refused, SLIPPING, Solved};
+use super::judge::Judge;
 use super::mechanics::Mechanics;
 use super::options::Options;
 use super::state::State;
@@ -22,11 +23,13 @@ pub(super) fn run<S: Mechanics>(
 ) -> Simulation<S> {
     let h = model.step;
     let n_steps = step_count(world.duration, h);
-    let mut log = Log::start(world, n_steps.div_ceil(options.frames.max(2) - 1).max(1));
+    let mut log = Log::start(world, stepper.stored(), n_steps.div_ceil(options.frames.max(2) - 1).max(1));
     let mut state = State::start(world);
     let mut before = state.clone();
     let mut status = Status::Complete;
     log.keep(&state, stepper);
+    let mut judge = Judge::new(world);
+    log.notes.extend(judge.overlap(&state));
     for index in 0..n_steps {
         if index >= options.max_steps || !watch(state.time) {
             status = Status::Partial;
@@ -37,7 +40,13 @@ pub(super) fn run<S: Mechanics>(
         let length = if (end - state.time - h).abs() <= 1e-9 * h { h } else { end - state.time };
         before.clone_from(&state);
         match stepper.step(&mut state, length) {
-            Ok(solved) => log.step(world, &before, &state, stepper, solved),
+            Ok(solved) => {
+                log.step(world, &before, &state, stepper, solved);
+                if let Some((judged, note)) = judge.step(&before, stepper.is_suspect(), &log.held) {
+                    status = judged;
+                    log.notes.push(note);
+                }
+            }
             Err(refused) => {
                 status = log.refused(state.time, &refused);
                 break;
@@ -71,12 +80,13 @@ struct Log<S: Mechanics> {
     penetration: (f64, f64),
     solver: SolverStatistics,
     rungs: [usize; Rung::ALL.len()],
+    continued: usize,
     notes: Vec<String>,
 }
 
 impl<S: Mechanics> Log<S> {
-    fn start(world: &World<S>, every: usize) -> Self {
-        let start = State::start(world).energy(world);
+    fn start(world: &World<S>, stored: f64, every: usize) -> Self {
+        let start = State::start(world).energy(world) + stored;
         Self {
             every,
             frames: Vec::new(),
@@ -88,6 +98,7 @@ impl<S: Mechanics> Log<S> {
             penetration: (0.0, 0.0),
             solver: SolverStatistics::default(),
             rungs: [0; Rung::ALL.len()],
+            continued: 0,
             notes: Vec::new(),
         }
     }
@@ -104,7 +115,10 @@ impl<S: Mechanics> Log<S> {
         self.solver.problems += solved.problems;
         self.solver.pivots += solved.pivots;
         self.solver.impacts += solved.impacts;
+        self.solver.fastest_impact = self.solver.fastest_impact.max(solved.fastest_impact);
         self.solver.residual = self.solver.residual.max(solved.residual);
+        self.solver.subdivided += solved.fallbacks.divided;
+        self.continued += solved.fallbacks.continued;
         if solved.problems > 0 {
             self.rungs[solved.rung as usize] += 1;
         }
@@ -113,7 +127,7 @@ impl<S: Mechanics> Log<S> {
         }
         self.now.clear();
         for (contact, impulse) in stepper.touches() {
-            let state = contact_state(contact, impulse, &after.velocities);
+            let state = stepper.contact_state(contact, impulse, &after.velocities);
             if state != ContactState::Open {
                 self.now.push((contact.name, state));
             }
@@ -122,7 +136,7 @@ impl<S: Mechanics> Log<S> {
         if self.now != self.held {
             self.change(after.time);
         }
-        let energy = after.energy(world);
+        let energy = after.energy(world) + stepper.stored();
         let work = work(world, before, after, stepper);
         self.energy.work += work;
         self.energy.largest_gain = self.energy.largest_gain.max(energy - self.last_energy - work);
@@ -149,7 +163,7 @@ impl<S: Mechanics> Log<S> {
     fn keep(&mut self, state: &State<S>, stepper: &impl Stepper<S>) {
         let touches = stepper.touches().map(|(contact, impulse)| Touch {
             contact: contact.name,
-            state: contact_state(contact, impulse, &state.velocities),
+            state: stepper.contact_state(contact, impulse, &state.velocities),
             point: contact.point,
             normal: contact.normal,
             impulse,
@@ -170,6 +184,16 @@ impl<S: Mechanics> Log<S> {
             }
             Refused::Undecided(_) => ("the contact problem was not decided at a limit", Status::Partial),
             Refused::Broken(_) => ("the velocities grew beyond all bounds", Status::Partial),
+            Refused::Unsolved => {
+                ("the forces of compliant contacts were not found, however short the step", Status::Partial)
+            }
+            Refused::TooSoft { depth, half } => {
+                self.notes.push(format!(
+                    "at {time} s a contact is about to give way by up to {depth} m, more than half the thickness, \
+                     {half} m: it is too soft to keep the bodies apart"
+                ));
+                return Status::Partial;
+            }
         };
         self.notes.push(format!("at {time} s {what}"));
         status
@@ -190,7 +214,10 @@ impl<S: Mechanics> Log<S> {
         }
         let used = Rung::ALL.into_iter().zip(self.rungs).filter(|(_, count)| *count > 0);
         self.solver.rungs = used.map(|(rung, count)| (rung.name(), count)).collect();
-        self.energy.end = state.energy(world);
+        if self.continued > 0 {
+            self.solver.rungs.push(("continued", self.continued));
+        }
+        self.energy.end = state.energy(world) + stepper.stored();
         self.energy.dissipated = self.energy.start + self.energy.work - self.energy.end;
         Simulation {
             status,
@@ -198,6 +225,7 @@ impl<S: Mechanics> Log<S> {
             last,
             frames: self.frames,
             events: self.events,
+            deformations: stepper.deformations(),
             energy: self.energy,
             penetration: self.penetration,
             solver: self.solver,
@@ -208,18 +236,17 @@ impl<S: Mechanics> Log<S> {
 }
 
 /// Open without a force, stick without slip; slip is told from rounding by the speeds that meet at the contact.
-fn contact_state<S: Mechanics>(contact: &Contact<S>, impulse: [f64; 3], velocities: &[S::Velocity]) -> ContactState {
+pub(super) fn contact_state<S: Mechanics>(
+    contact: &Contact<S>,
+    impulse: [f64; 3],
+    velocities: &[S::Velocity],
+) -> ContactState {
     if impulse == [0.0; 3] {
         return ContactState::Open;
     }
     let slip = (1..=S::TANGENTS).map(|row| contact.velocity(row, velocities).powi(2)).sum::<f64>().sqrt();
-    let speeds: f64 = contact.sides().map(|(body, rows)| size(&rows.as_ref()[1], &velocities[body])).sum();
-    if slip > 1e-9 * speeds + 1e-12 { ContactState::Slip } else { ContactState::Stick }
-}
-
-/// Σ |a_i b_i|.
-fn size<E: AsRef<[f64]>>(a: &E, b: &E) -> f64 {
-    a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| (a * b).abs()).sum()
+    let is_slipping = slip > SLIPPING * contact.speed(velocities) + 1e-12;
+    if is_slipping { ContactState::Slip } else { ContactState::Stick }
 }
 
 /// Work of applied wrenches, moving surfaces and kinematic bodies in a step (J).

@@ -92,6 +92,12 @@ impl Mechanics for Spatial {
         -(gravity[0] * pose[0] + gravity[1] * pose[1] + gravity[2] * pose[2])
     }
 
+    fn separation(radius: f64, a: &[f64; 7], b: &[f64; 7]) -> f64 {
+        let away = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        let cosine: f64 = a[3..].iter().zip(&b[3..]).map(|(a, b)| a * b).sum();
+        dot(away, away).sqrt() + 2.0 * radius * libm::acos(cosine.abs().min(1.0))
+    }
+
     fn radius(body: &Body<Self>) -> f64 {
         match &body.shape {
             SpatialShape::Sphere { center, radius } => dot(*center, *center).sqrt() + radius,
@@ -102,6 +108,26 @@ impl Mechanics for Spatial {
 
     fn fastest(radius: f64, [x, y, z, wx, wy, wz]: &[f64; 6]) -> f64 {
         (x * x + y * y + z * z).sqrt() + radius * (wx * wx + wy * wy + wz * wz).sqrt()
+    }
+
+    fn follow((): &(), world: &World<Self>, found: &Contact<Self>, _: &[[f64; 7]], to: &[[f64; 7]]) -> Contact<Self> {
+        meeting(world, to, found.name).map_or(*found, |meeting| contact(world, to, found.name, meeting))
+    }
+
+    fn swing(point: &[f64; 3], pose: &[f64; 7], wrench: &[f64; 6], velocity: &[f64; 6]) -> [f64; 6] {
+        let r = [point[0] - pose[0], point[1] - pose[1], point[2] - pose[2]];
+        let ([fx, fy, fz, ..], [_, _, _, wx, wy, wz]) = (*wrench, *velocity);
+        // ω · (φ × r) × f = (ω · r) (f · φ) - (r · f) (ω · φ)
+        let (across, along) = (dot([wx, wy, wz], r), dot(r, [fx, fy, fz]));
+        [0.0, 0.0, 0.0, across * fx - along * wx, across * fy - along * wy, across * fz - along * wz]
+    }
+
+    fn half_thickness(shape: &SpatialShape) -> f64 {
+        match shape {
+            SpatialShape::Sphere { radius, .. } => *radius,
+            SpatialShape::Box { half: [x, y, z] } => x.min(*y).min(*z),
+            SpatialShape::HalfSpace { .. } => f64::INFINITY,
+        }
     }
 }
 
@@ -117,18 +143,13 @@ struct Pair<'a> {
 
 impl Pair<'_> {
     fn on_half_space(&mut self, pose: &[f64; 7], point: [f64; 3], normal: [f64; 3]) {
-        let height = |p: [f64; 3]| dot(normal, [p[0] - point[0], p[1] - point[1], p[2] - point[2]]);
         match self.world.bodies[self.body].shape {
             SpatialShape::Sphere { center, radius } => {
-                let center = placed(pose, center);
-                let lowest = std::array::from_fn(|i| center[i] - radius * normal[i]);
-                self.push(height(center) - radius, lowest, normal, Feature::Surface(0));
+                self.push(ball_on(pose, center, radius, point, normal), Feature::Surface(0));
             }
             SpatialShape::Box { half } => {
                 for corner in 0..8_u32 {
-                    let own = std::array::from_fn(|i| if corner >> i & 1 == 1 { half[i] } else { -half[i] });
-                    let corner_at = placed(pose, own);
-                    self.push(height(corner_at), corner_at, normal, Feature::Vertex(corner));
+                    self.push(corner_on(pose, half, corner, point, normal), Feature::Vertex(corner));
                 }
             }
             SpatialShape::HalfSpace { .. } => {}
@@ -136,43 +157,93 @@ impl Pair<'_> {
     }
 
     fn balls(&mut self) {
-        let ball = |body: usize| match &self.world.bodies[body].shape {
-            SpatialShape::Sphere { center, radius } => Some((placed(&self.poses[body], *center), *radius)),
-            _ => None,
-        };
-        let (Some((a, radius)), Some((b, other_radius))) = (ball(self.body), ball(self.other)) else {
-            return;
-        };
-        let away: [f64; 3] = std::array::from_fn(|i| a[i] - b[i]);
-        let distance = dot(away, away).sqrt();
-        let normal = if distance > 0.0 { away.map(|x| x / distance) } else { [0.0, 0.0, 1.0] };
-        let point = std::array::from_fn(|i| b[i] + other_radius * normal[i]);
-        self.push(distance - radius - other_radius, point, normal, Feature::Surface(0));
+        if let Some(meeting) = balls(self.world, self.poses, self.body, self.other) {
+            self.push(meeting, Feature::Surface(0));
+        }
     }
 
-    fn push(&mut self, gap: f64, point: [f64; 3], n: [f64; 3], feature: Feature) {
-        if gap > self.reach {
-            return;
+    fn push(&mut self, meeting: Meeting, feature: Feature) {
+        if meeting.0 <= self.reach {
+            let name = ContactName { body: self.body, feature, other: self.other, other_feature: Feature::Surface(0) };
+            self.out.push(contact(self.world, self.poses, name, meeting));
         }
-        let [t, o] = tangents(n);
-        let rows = |pose: &[f64; 7], sign: f64| -> <Spatial as crate::model::Space>::Rows {
-            let r = [point[0] - pose[0], point[1] - pose[1], point[2] - pose[2]];
-            [n, t, o].map(|d| {
-                let m = cross(r, d);
-                [d[0], d[1], d[2], m[0], m[1], m[2]].map(|x| sign * x)
-            })
-        };
-        let surface = self.other.checked_sub(self.world.bodies.len()).map(|i| self.world.fixed[i].surface_velocity);
-        self.out.push(Contact {
-            name: ContactName { body: self.body, feature, other: self.other, other_feature: Feature::Surface(0) },
-            gap,
-            point,
-            normal: n,
-            rows: rows(&self.poses[self.body], 1.0),
-            other_rows: self.poses.get(self.other).map(|pose| rows(pose, -1.0)),
-            surface: surface.unwrap_or_default(),
-            material: *self.world.material(self.body, self.other),
-        });
+    }
+}
+
+/// Gap, point and normal of a pair of features.
+type Meeting = (f64, [f64; 3], [f64; 3]);
+
+fn ball_on(pose: &[f64; 7], center: [f64; 3], radius: f64, point: [f64; 3], normal: [f64; 3]) -> Meeting {
+    let center = placed(pose, center);
+    (height(center, point, normal) - radius, std::array::from_fn(|i| center[i] - radius * normal[i]), normal)
+}
+
+fn corner_on(pose: &[f64; 7], half: [f64; 3], corner: u32, point: [f64; 3], normal: [f64; 3]) -> Meeting {
+    let own = std::array::from_fn(|i| if corner >> i & 1 == 1 { half[i] } else { -half[i] });
+    let at = placed(pose, own);
+    (height(at, point, normal), at, normal)
+}
+
+fn balls(world: &World<Spatial>, poses: &[[f64; 7]], body: usize, other: usize) -> Option<Meeting> {
+    let ball = |body: usize| match &world.bodies.get(body)?.shape {
+        SpatialShape::Sphere { center, radius } => Some((placed(&poses[body], *center), *radius)),
+        _ => None,
+    };
+    let ((a, radius), (b, other_radius)) = (ball(body)?, ball(other)?);
+    let away: [f64; 3] = std::array::from_fn(|i| a[i] - b[i]);
+    let distance = dot(away, away).sqrt();
+    let normal = if distance > 0.0 { away.map(|x| x / distance) } else { [0.0, 0.0, 1.0] };
+    let point = std::array::from_fn(|i| b[i] + other_radius * normal[i]);
+    Some((distance - radius - other_radius, point, normal))
+}
+
+fn height(p: [f64; 3], point: [f64; 3], normal: [f64; 3]) -> f64 {
+    dot(normal, [p[0] - point[0], p[1] - point[1], p[2] - point[2]])
+}
+
+fn contact(
+    world: &World<Spatial>,
+    poses: &[[f64; 7]],
+    name: ContactName,
+    (gap, point, n): Meeting,
+) -> Contact<Spatial> {
+    let [t, o] = tangents(n);
+    let rows = |pose: &[f64; 7], sign: f64| -> <Spatial as crate::model::Space>::Rows {
+        let r = [point[0] - pose[0], point[1] - pose[1], point[2] - pose[2]];
+        [n, t, o].map(|d| {
+            let m = cross(r, d);
+            [d[0], d[1], d[2], m[0], m[1], m[2]].map(|x| sign * x)
+        })
+    };
+    let surface = name.other.checked_sub(world.bodies.len()).map(|i| world.fixed[i].surface_velocity);
+    Contact {
+        name,
+        gap,
+        point,
+        normal: n,
+        rows: rows(&poses[name.body], 1.0),
+        other_rows: poses.get(name.other).map(|pose| rows(pose, -1.0)),
+        surface: surface.unwrap_or_default(),
+        material: *world.material(name.body, name.other),
+    }
+}
+
+/// The pair of features that meets in `name`, at these poses.
+fn meeting(world: &World<Spatial>, poses: &[[f64; 7]], name: ContactName) -> Option<Meeting> {
+    let Some(obstacle) = name.other.checked_sub(world.bodies.len()) else {
+        return balls(world, poses, name.body, name.other);
+    };
+    let SpatialShape::HalfSpace { point, normal } = world.fixed[obstacle].shape else {
+        return None;
+    };
+    match (&world.bodies[name.body].shape, name.feature) {
+        (SpatialShape::Sphere { center, radius }, _) => {
+            Some(ball_on(&poses[name.body], *center, *radius, point, normal))
+        }
+        (SpatialShape::Box { half }, Feature::Vertex(corner)) => {
+            Some(corner_on(&poses[name.body], *half, corner, point, normal))
+        }
+        _ => None,
     }
 }
 

@@ -5,11 +5,23 @@ use super::mechanics::Mechanics;
 use crate::model::World;
 
 /// Poses and velocities at a time.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub(super) struct State<S: Mechanics> {
     pub time: f64,
     pub poses: Vec<S::Pose>,
     pub velocities: Vec<S::Velocity>,
+}
+
+impl<S: Mechanics> Clone for State<S> {
+    fn clone(&self) -> Self {
+        Self { time: self.time, poses: self.poses.clone(), velocities: self.velocities.clone() }
+    }
+
+    fn clone_from(&mut self, other: &Self) {
+        self.time = other.time;
+        self.poses.clone_from(&other.poses);
+        self.velocities.clone_from(&other.velocities);
+    }
 }
 
 impl<S: Mechanics> State<S> {

@@ -3,7 +3,9 @@
 use super::contact::Contact;
 use super::impulses::{Refused, Solved};
 use super::mechanics::Mechanics;
+use super::run::contact_state;
 use super::state::State;
+use crate::answer::{ContactName, ContactState};
 
 /// A time-stepping scheme.
 pub(super) trait Stepper<S: Mechanics> {
@@ -15,4 +17,24 @@ pub(super) trait Stepper<S: Mechanics> {
 
     /// Deepest overlap at the start of the last step (m), not negative.
     fn deepest(&self) -> f64;
+
+    /// Whether the forces of the last step may not exist or not be unique, by the sign of A_nn - μ |A_nt| at a contact.
+    fn is_suspect(&self) -> bool {
+        false
+    }
+
+    /// Energy of local deformation after the last step (J).
+    fn stored(&self) -> f64 {
+        0.0
+    }
+
+    /// Local deformations after the last step along n, t and o (m).
+    fn deformations(&self) -> Vec<(ContactName, [f64; 3])> {
+        Vec::new()
+    }
+
+    /// State of a contact in the last step, which ended at these velocities.
+    fn contact_state(&self, contact: &Contact<S>, impulse: [f64; 3], velocities: &[S::Velocity]) -> ContactState {
+        contact_state(contact, impulse, velocities)
+    }
 }

@@ -1,7 +1,7 @@
 //! Stewart and Trinkle's step, equations (10)-(13): semi-implicit, gaps closed at the end of the step.
 
 use super::contact::Contact;
-use super::impulses::{Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::state::State;
@@ -33,9 +33,9 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
         let nearby = Nearby::new(world);
         Self {
             world,
-            touching: 1e-9 * nearby.size().min(1e3),
+            touching: nearby.touching(),
             nearby,
-            impulses: Impulses::new(world),
+            impulses: Impulses::new(world, FrictionCone::Edges),
             contacts: Vec::new(),
             pressed: Vec::new(),
             is_pressed: Vec::new(),
@@ -90,6 +90,7 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
 
 impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
+        self.impulses.is_suspect = false;
         state.free(self.world, h, &mut self.free);
         let mut reach = self.nearby.reach(&state.velocities, h).max(self.nearby.reach(&self.free, h));
         loop {
@@ -112,5 +113,9 @@ impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
 
     fn deepest(&self) -> f64 {
         self.contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max)
+    }
+
+    fn is_suspect(&self) -> bool {
+        self.impulses.is_suspect
     }
 }

@@ -1,6 +1,11 @@
 //! The time-steppers against the published scenes, closed forms and invariants.
 
-mod dbg;
 mod discrete;
 mod peers;
 mod published;
+mod spk_accuracy;
+mod spk_full_form;
+mod spk_published;
+mod spk_robust;
+mod spk_symmetry;
+mod spk_tumble;

@@ -1,7 +1,7 @@
 //! The planar scenes on which other engines were measured, and how far a run is from their closed forms.
 
 use partplan::answer::Simulation;
-use partplan::model::{Body, Material, Obstacle, Planar, PlanarShape, Restitution, World};
+use partplan::model::{Body, Material, Obstacle, Planar, PlanarShape, Restitution, Spatial, SpatialShape, World};
 use serde_json::Value;
 
 /// A scene with a closed form.
@@ -59,6 +59,47 @@ impl Peer {
     }
 }
 
+/// The one scene in space: the sphere of Fig. 3 with Newton's restitution.
+pub fn sphere() -> World<Spatial> {
+    let all: Value = serde_json::from_str(include_str!("peer_scenes.json")).unwrap();
+    let scene = list(&all["scenes"]).iter().find(|scene| scene["name"] == "seed_sphere").unwrap();
+    let (body, [x, y, z]) = (&scene["bodies"][0], numbers::<3>(&scene["bodies"][0]["pos"]));
+    let (v, w) = (numbers::<3>(&body["vel"]), numbers::<3>(&body["om"]));
+    World {
+        gravity: numbers(&scene["gravity"]),
+        duration: number(&scene["T"]),
+        step: None,
+        margin: None,
+        directions: 16,
+        bodies: vec![Body {
+            name: "sphere".into(),
+            shape: SpatialShape::Sphere { center: [0.0; 3], radius: number(&body["r"]) },
+            mass: number(&body["mass"]),
+            inertia: numbers(&body["I"]),
+            pose: [x, y, z, 1.0, 0.0, 0.0, 0.0],
+            velocity: [v[0], v[1], v[2], w[0], w[1], w[2]],
+            is_kinematic: false,
+            schedule: Vec::new(),
+        }],
+        fixed: vec![Obstacle {
+            name: "plane".into(),
+            shape: SpatialShape::HalfSpace { point: [0.0; 3], normal: [0.0, 0.0, 1.0] },
+            surface_velocity: [0.0; 2],
+        }],
+        materials: vec![material(scene); 2],
+    }
+}
+
+/// Distance of the sphere from where it must be (m).
+pub fn sphere_error(run: &Simulation<Spatial>) -> f64 {
+    let (x, y) = (run.last.poses[0][0] - 0.764_076_179_936_853_2, run.last.poses[0][1] + 0.471_847_640_126_293_8);
+    (x * x + y * y).sqrt()
+}
+
+fn material(scene: &Value) -> Material {
+    Material { friction: number(&scene["mu"]), restitution: Restitution::Newton(number(&scene["e"])), compliance: None }
+}
+
 /// Largest angle between the second and the third time that the block stands upright.
 fn second_swing(run: &Simulation<Planar>) -> f64 {
     let angles: Vec<f64> = run.frames.iter().map(|frame| frame.poses[0][2]).collect();
@@ -87,18 +128,13 @@ fn world(scene: &Value) -> World<Planar> {
             surface_velocity: [0.0; 2],
         })
         .collect();
-    let material = Material {
-        friction: number(&scene["mu"]),
-        restitution: Restitution::Newton(number(&scene["e"])),
-        compliance: None,
-    };
     World {
         gravity: if scene["name"] == "cradle3" { [0.0; 2] } else { upright(&scene["gravity"]) },
         duration: number(&scene["T"]),
         step: None,
         margin: None,
         directions: 2,
-        materials: vec![material; bodies.len() * (bodies.len() + fixed.len())],
+        materials: vec![material(scene); bodies.len() * (bodies.len() + fixed.len())],
         bodies,
         fixed,
     }

@@ -1,6 +1,6 @@
 //! The published scenes and what is expected of them.
 
-use partplan::answer::Simulation;
+use partplan::answer::{ContactName, Event, Simulation, SolverStatistics};
 use partplan::dynamics::{Mechanics, ModelKind, Options, simulate};
 use partplan::model::{
     Body, Compliance, Material, Obstacle, Planar, PlanarShape, Restitution, Scene, Spatial, SpatialShape, World,
@@ -50,11 +50,16 @@ pub struct Outcome {
     pub steps: usize,
     pub gain: f64,
     pub residual: f64,
+    /// Everything else of the run.
+    pub deltas: Vec<(ContactName, [f64; 3])>,
+    pub events: Vec<Event>,
+    pub notes: Vec<String>,
+    pub solver: SolverStatistics,
 }
 
 fn outcome<S: Mechanics>(world: &World<S>, options: &Options, duration: f64) -> Outcome {
     let world = World { duration, ..world.clone() };
-    let run: Simulation<S> = simulate(&world, options, &mut |_| true);
+    let run: Simulation<S> = simulate(&world, options, &mut |_| true).unwrap();
     Outcome {
         q: run.last.poses.iter().flat_map(|pose| pose.as_ref().iter().copied()).collect(),
         v: run.last.velocities.iter().flat_map(|velocity| velocity.as_ref().iter().copied()).collect(),
@@ -62,6 +67,10 @@ fn outcome<S: Mechanics>(world: &World<S>, options: &Options, duration: f64) -> 
         steps: run.solver.steps,
         gain: run.energy.largest_gain,
         residual: run.solver.residual,
+        deltas: run.deformations,
+        events: run.events,
+        notes: run.notes,
+        solver: run.solver,
     }
 }
 

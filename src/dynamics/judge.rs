@@ -1,0 +1,85 @@
+//! What is said aloud of a run: overlaps at its start, and the first step at which forces do not exist or are not unique.
+
+use super::mechanics::Mechanics;
+use super::nearby::Nearby;
+use super::paradox::{Paradox, Suspect, judge};
+use super::state::State;
+use crate::answer::{ContactName, ContactState, Status};
+use crate::model::World;
+
+/// Most judgements in one run; each decides a small problem exactly.
+const MAX_JUDGEMENTS: usize = 100;
+
+/// Judges the states of a run.
+#[derive(Debug)]
+pub(super) struct Judge<'w, S: Mechanics> {
+    world: &'w World<S>,
+    nearby: Nearby<'w, S>,
+    held: Vec<(ContactName, ContactState)>,
+    judgements: usize,
+    is_settled: bool,
+}
+
+impl<'w, S: Mechanics> Judge<'w, S> {
+    pub fn new(world: &'w World<S>) -> Self {
+        Self { world, nearby: Nearby::new(world), held: Vec::new(), judgements: 0, is_settled: false }
+    }
+
+    /// The deepest overlap of a state, said.
+    pub fn overlap(&mut self, state: &State<S>) -> Option<String> {
+        let mut contacts = Vec::new();
+        self.nearby.find(&state.poses, 0.0, &mut contacts);
+        let deepest = contacts.iter().min_by(|a, b| a.gap.total_cmp(&b.gap))?;
+        let name = self.name(&deepest.name);
+        (deepest.gap < -self.nearby.touching()).then(|| format!("{name} overlap by {} m at the start", -deepest.gap))
+    }
+
+    /// Judges the state before a step whose contacts were suspect, unless the same contacts have been judged.
+    pub fn step(
+        &mut self,
+        before: &State<S>,
+        is_suspect: bool,
+        held: &[(ContactName, ContactState)],
+    ) -> Option<(Status, String)> {
+        if !is_suspect || self.is_settled || self.judgements >= MAX_JUDGEMENTS {
+            return None;
+        }
+        if self.judgements > 0 && self.held == held {
+            return None;
+        }
+        self.judgements += 1;
+        self.held = held.to_vec();
+        let touching = self.nearby.touching();
+        let found = judge(self.world, &mut self.nearby, before, touching)?;
+        self.is_settled = true;
+        let (Paradox::Inconsistent(suspect) | Paradox::Ambiguous(suspect, _)) = found;
+        let Suspect { name, compliance, free } = suspect;
+        let (name, time) = (self.name(&name), before.time);
+        let why = format!("normal compliance {compliance:.4} /kg, free normal acceleration {free:.3} m/s²");
+        Some(match found {
+            Paradox::Inconsistent(_) => (
+                Status::Inconsistent,
+                format!(
+                    "at {time} s no finite force between {name} is consistent with rigid bodies and Coulomb friction ({why}): \
+                     an impulse without a collision stops the slip, and impulse over step is not a force"
+                ),
+            ),
+            Paradox::Ambiguous(..) => (
+                Status::Ambiguous,
+                format!(
+                    "at {time} s {name} may lift off, keep sliding under a force, or jam ({why}): rigid bodies and Coulomb \
+                     friction do not say which, and this run shows one of them"
+                ),
+            ),
+        })
+    }
+
+    /// Two names.
+    fn name(&self, contact: &ContactName) -> String {
+        let other = match contact.other.checked_sub(self.world.bodies.len()) {
+            None => &self.world.bodies[contact.other].name,
+            Some(fixed) => &self.world.fixed[fixed].name,
+        };
+        format!("{} and {other}", self.world.bodies[contact.body].name)
+    }
+}

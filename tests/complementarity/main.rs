@@ -1,0 +1,11 @@
+//! Linear complementarity: published and made instances, properties, brute force, and contacts by the thousand.
+
+mod brute;
+mod check;
+mod contacts;
+mod enumeration;
+mod instances;
+mod ladder;
+mod planar;
+mod proofs;
+mod properties;
