@@ -34,7 +34,7 @@ impl<S: Mechanics> Newton<S> {
         let mut free = std::mem::take(&mut self.free);
         let mut iterations = 0;
         let mut solve = |newton: &mut Self, scale: i32, guess: Guess| {
-            let h = h * f64::from(scale).exp2();
+            let h = libm::scalbn(h, scale);
             base.free(world, h, &mut free);
             for joint in &mut newton.joints {
                 if let Some(law) = Law::new(&joint.start.material, h) {

@@ -48,14 +48,14 @@ impl Law {
         let mut force = Force::default();
         let Self { k: [k_n, k_t], stiffness, drag, friction: mu, gamma, h } = *self;
         let normal = -k_n * gap - drag[0] * delta[0];
-        if !(normal > 0.0) {
+        if normal.is_nan() || normal <= 0.0 {
             return force;
         }
         force.lambda[0] = normal;
         force.slope[0][0] = h * k_n;
         force.size[0] = k_n * (gap.abs() + span) + drag[0] * delta[0].abs();
         let squared = mu * normal * (mu * normal + 2.0 * gamma);
-        if !(squared > 0.0) {
+        if squared.is_nan() || squared <= 0.0 {
             return force;
         }
         let radius = squared.sqrt();
@@ -63,8 +63,8 @@ impl Law {
         let length = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
         if length <= radius {
             let size = stiffness[1] * (delta[1].abs() + delta[2].abs()) + h * k_t * speed;
-            for i in 0..2 {
-                force.lambda[i + 1] = trial[i];
+            for (i, trial) in trial.into_iter().enumerate() {
+                force.lambda[i + 1] = trial;
                 force.slope[i + 1][i + 1] = h * k_t;
                 force.size[i + 1] = size;
             }
