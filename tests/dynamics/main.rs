@@ -4,6 +4,7 @@ mod discrete;
 mod published;
 mod spk_accuracy;
 mod spk_full_form;
+mod spk_moving;
 mod spk_published;
 mod spk_robust;
 mod spk_symmetry;
