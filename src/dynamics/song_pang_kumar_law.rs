@@ -36,6 +36,11 @@ impl Law {
         Some(Self { k, stiffness, drag, friction: material.friction, gamma, h })
     }
 
+    /// The same with this times the friction.
+    pub fn with_friction(self, factor: f64) -> Self {
+        Self { friction: factor * self.friction, ..self }
+    }
+
     /// The force at gap Ψ(q') and slip W_t ν' (m/s, zeros where there is no o), from the deformation δ of before.
     ///
     /// Along n: 0 ≤ λ ⊥ δ' + Ψ ≥ 0 with λ = k δ' - (C/h) δ gives λ_n = max(0, -k Ψ - (C/h) δ_n). Along t and o no

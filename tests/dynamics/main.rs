@@ -3,6 +3,7 @@
 mod discrete;
 mod published;
 mod spk_accuracy;
+mod spk_fallback;
 mod spk_full_form;
 mod spk_moving;
 mod spk_published;
