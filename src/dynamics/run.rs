@@ -224,6 +224,9 @@ impl<S: Mechanics> Log<S> {
         }
         let used = Rung::ALL.into_iter().zip(self.rungs).filter(|(_, count)| *count > 0);
         self.solver.rungs = used.map(|(rung, count)| (rung.name(), count)).collect();
+        if self.solver.subdivided > 0 {
+            self.notes.push(format!("{} times a step was halved to be solved", self.solver.subdivided));
+        }
         if self.continued > 0 {
             self.solver.rungs.push(("continued", self.continued));
         }
