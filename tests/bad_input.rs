@@ -754,7 +754,7 @@ fn bytes_that_are_not_utf8() {
 
 #[test]
 fn files_beyond_the_limits_name_the_option() {
-    let limits = Limits { bytes: 1000, vertices: 10, fixels: 3 };
+    let limits = Limits { bytes: 1000, vertices: 10, fixels: 3, ..Limits::default() };
     let spaces = vec![b' '; 100 << 20];
     let faults = read(&spaces, &Limits::default()).unwrap_err();
     assert_eq!(codes(&faults), ["C001"]);
