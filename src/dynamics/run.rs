@@ -259,7 +259,11 @@ fn work<S: Mechanics>(world: &World<S>, before: &State<S>, after: &State<S>, ste
         }
     }
     for (contact, impulse) in stepper.touches() {
-        work += (0..S::TANGENTS).map(|i| impulse[i + 1] * contact.surface[i]).sum::<f64>();
+        // the velocity of the surface itself: that of the contact may hold terms of the scheme
+        if let Some(fixed) = contact.name.other.checked_sub(world.bodies.len()) {
+            let surface = &world.fixed[fixed].surface_velocity;
+            work += (0..S::TANGENTS).map(|i| impulse[i + 1] * surface[i]).sum::<f64>();
+        }
         for (body, rows) in contact.sides().filter(|(body, _)| world.bodies[*body].is_kinematic) {
             let push = |row: usize| impulse[row] * dot(&rows.as_ref()[row], &after.velocities[body]);
             work -= (0..=S::TANGENTS).map(push).sum::<f64>();
