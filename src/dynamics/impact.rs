@@ -7,6 +7,9 @@ use super::state::State;
 use crate::answer::ContactName;
 use crate::model::{Restitution, World};
 
+/// A contact that was struck, with its impulses along n, t and o (N s).
+pub(super) type Struck<S> = (Contact<S>, [f64; 3]);
+
 /// An impact of everything that touches.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Impact {
@@ -38,7 +41,7 @@ impl Impact {
         contacts: &[Contact<S>],
         state: &mut State<S>,
         total: &mut Solved,
-    ) -> Result<Vec<(Contact<S>, [f64; 3])>, Refused> {
+    ) -> Result<Vec<Struck<S>>, Refused> {
         let struck: Vec<Contact<S>> = contacts.iter().filter(|c| c.gap <= self.touching).copied().collect();
         let mut free = Vec::new();
         state.free(world, self.h, &mut free);

@@ -304,11 +304,11 @@ impl<S: Mechanics> Impulses<S> {
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
         for ((contact, (weighed, other)), impulse) in contacts.iter().zip(&self.weighed).zip(&self.answer) {
-            for s in 0..n_rows {
-                add_scaled(&mut velocities[contact.name.body], impulse[s], &weighed.as_ref()[s]);
-                if let Some(other) = other {
-                    add_scaled(&mut velocities[contact.name.other], impulse[s], &other.as_ref()[s]);
-                }
+            for (impulse, row) in impulse.iter().zip(weighed.as_ref()).take(n_rows) {
+                add_scaled(&mut velocities[contact.name.body], *impulse, row);
+            }
+            for (impulse, row) in impulse.iter().zip(other.iter().flat_map(|rows| rows.as_ref())).take(n_rows) {
+                add_scaled(&mut velocities[contact.name.other], *impulse, row);
             }
         }
     }

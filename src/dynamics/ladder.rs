@@ -4,8 +4,7 @@ use super::mechanics::Mechanics;
 use super::moreau::Moreau;
 use super::options::Options;
 use super::run::run;
-use super::song_pang_kumar::SongPangKumar;
-use super::song_pang_kumar_check::{self, SimulationError};
+use super::song_pang_kumar::{self, SimulationError, SongPangKumar};
 use crate::answer::{ModelChoice, Simulation, Status};
 use crate::model::World;
 
@@ -52,7 +51,7 @@ pub(super) fn climb<S: Mechanics>(
     if !has_compliance || matches!(rigid.status, Status::Partial) {
         return Ok(rigid);
     }
-    song_pang_kumar_check::check(world)?;
+    song_pang_kumar::check(world)?;
     let softest = softest(world);
     let heaviest = world.bodies.iter().filter(|body| !body.is_kinematic).map(|body| body.mass).fold(0.0, f64::max);
     let give = rigid.solver.fastest_impact * (heaviest / softest).sqrt();
@@ -77,7 +76,7 @@ pub(super) fn climb<S: Mechanics>(
         let mut stepper = SongPangKumar::new(world, options.second_order);
         run(world, options, ModelChoice { chosen: "spk", ..choice }, &mut stepper, watch)
     });
-    compliant.notes.splice(0..0, song_pang_kumar_check::notes(world));
+    compliant.notes.splice(0..0, song_pang_kumar::notes(world));
     Ok(compliant)
 }
 

@@ -16,12 +16,6 @@ mod planar_follow;
 mod project;
 mod run;
 mod song_pang_kumar;
-mod song_pang_kumar_check;
-mod song_pang_kumar_climb;
-mod song_pang_kumar_law;
-mod song_pang_kumar_memory;
-mod song_pang_kumar_newton;
-mod song_pang_kumar_solve;
 mod spatial;
 mod state;
 mod stepper;
@@ -29,7 +23,7 @@ mod stewart_trinkle;
 
 pub use mechanics::Mechanics;
 pub use options::{ModelKind, Options};
-pub use song_pang_kumar_check::SimulationError;
+pub use song_pang_kumar::SimulationError;
 
 use crate::answer::{ModelChoice, Simulation};
 use crate::model::World;
@@ -52,10 +46,10 @@ pub fn simulate<S: Mechanics>(
     let choice = |chosen| ModelChoice { chosen, step, ..ModelChoice::default() };
     match options.model {
         ModelKind::SongPangKumar => {
-            song_pang_kumar_check::check(world)?;
+            song_pang_kumar::check(world)?;
             let mut stepper = SongPangKumar::new(world, options.second_order);
             let mut simulation = run::run(world, options, choice("spk"), &mut stepper, watch);
-            simulation.notes.splice(0..0, song_pang_kumar_check::notes(world));
+            simulation.notes.splice(0..0, song_pang_kumar::notes(world));
             Ok(simulation)
         }
         ModelKind::StewartTrinkle => {

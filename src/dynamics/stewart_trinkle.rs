@@ -87,7 +87,7 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
             self.pressed.clear();
             self.pressed.extend(pressed.map(|(contact, _)| *contact));
             self.offsets.clear();
-            self.offsets.extend(self.pressed.iter().map(|contact| gap_speed(contact)));
+            self.offsets.extend(self.pressed.iter().map(&gap_speed));
             self.velocities.clone_from(&self.free);
             total.add(self.impulses.solve(
                 self.world,

@@ -1,6 +1,6 @@
 //! Whether a scene can be stepped with compliant contacts, and what in it is too soft to mean much.
 
-use super::mechanics::Mechanics;
+use super::super::mechanics::Mechanics;
 use crate::model::{Body, Space, World};
 
 /// Why a scene was not run.
@@ -26,7 +26,7 @@ pub enum SimulationError {
 }
 
 /// Every pair that can touch has a usable compliance.
-pub(super) fn check<S: Space>(world: &World<S>) -> Result<(), SimulationError> {
+pub(in crate::dynamics) fn check<S: Space>(world: &World<S>) -> Result<(), SimulationError> {
     for (body, other) in pairs(world) {
         let Some(compliance) = world.material(body, other).compliance else {
             return Err(SimulationError::NoCompliance { body, other });
@@ -42,7 +42,7 @@ pub(super) fn check<S: Space>(world: &World<S>) -> Result<(), SimulationError> {
 
 /// What is worth knowing of a scene before it runs: bodies that sink under their own weight by more than half their
 /// thickness, or start so fast that they might push through what they meet.
-pub(super) fn notes<S: Mechanics>(world: &World<S>) -> Vec<String> {
+pub(in crate::dynamics) fn notes<S: Mechanics>(world: &World<S>) -> Vec<String> {
     let mut notes = Vec::new();
     let gravity = world.gravity.as_ref().iter().map(|g| g * g).sum::<f64>().sqrt();
     let half = |other: usize| match other.checked_sub(world.bodies.len()) {

@@ -1,14 +1,14 @@
 //! The velocities at the end of a compliant step: one nonsmooth equation, by semismooth Newton steps.
 
-use super::contact::{Contact, add_scaled};
-use super::mechanics::Mechanics;
-use super::song_pang_kumar_law::{Force, Law};
-use super::song_pang_kumar_solve::System;
+use super::super::contact::{Contact, add_scaled, dot};
+use super::super::mechanics::Mechanics;
+use super::law::{Force, Law};
+use super::solve::System;
 use crate::model::{Entries, World};
 
 /// A pair of features through a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Joint<S: Mechanics> {
+pub(in crate::dynamics) struct Joint<S: Mechanics> {
     /// As found at the start.
     pub start: Contact<S>,
     /// As it is at the velocities tried last.
@@ -26,7 +26,7 @@ pub(super) struct Joint<S: Mechanics> {
 
 /// What the equation of a step is made of.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stage<'a, S: Mechanics> {
+pub(in crate::dynamics) struct Stage<'a, S: Mechanics> {
     pub world: &'a World<S>,
     pub outlines: &'a S::Outlines,
     /// Where the contacts were found.
@@ -40,7 +40,7 @@ pub(super) struct Stage<'a, S: Mechanics> {
 
 /// What a solution took.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Work {
+pub(in crate::dynamics) struct Work {
     /// Largest defect of a velocity, relative to the sizes of what adds up to it.
     pub residual: f64,
     pub iterations: usize,
@@ -54,7 +54,7 @@ const MAX_HALVINGS: usize = 12;
 
 /// Solves F(ν') = M (ν' - ν) - h u - h Σ W(q') λ = 0 with λ by [`Law::force`] and q' = q + h G ν'; keeps its memory.
 #[derive(Debug)]
-pub(super) struct Newton<S: Mechanics> {
+pub(in crate::dynamics) struct Newton<S: Mechanics> {
     pub joints: Vec<Joint<S>>,
     /// The guess before, the solution after.
     pub velocities: Vec<S::Velocity>,
@@ -156,7 +156,7 @@ impl<S: Mechanics> Newton<S> {
             }
         }
         let bodies = world.bodies.iter().zip(poses).zip(&self.defect);
-        bodies.map(|((body, pose), defect)| super::contact::dot(defect, &S::momentum(body, pose, defect))).sum()
+        bodies.map(|((body, pose), defect)| dot(defect, &S::momentum(body, pose, defect))).sum()
     }
 
     fn residual(&self) -> f64 {
@@ -254,7 +254,7 @@ fn force<S: Mechanics>(joint: &Joint<S>, velocities: &[S::Velocity]) -> Force {
     let mut speed = now.surface[0].abs() + now.surface[1].abs();
     for (body, rows) in now.sides() {
         let rows = rows.as_ref()[1..].iter();
-        speed += rows.map(|row| super::contact::dot(&magnitude(row), &magnitude(&velocities[body]))).sum::<f64>();
+        speed += rows.map(|row| dot(&magnitude(row), &magnitude(&velocities[body]))).sum::<f64>();
     }
     joint.law.force(now.gap + joint.offset, slip, joint.delta, span, speed)
 }

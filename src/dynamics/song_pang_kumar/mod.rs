@@ -1,16 +1,26 @@
 //! Song, Pang and Kumar's step, equations (14)-(17): fully implicit, contacts visco-elastic.
 
+mod check;
+mod climb;
+mod law;
+mod memory;
+mod newton;
+mod solve;
+
+pub use check::SimulationError;
+pub(super) use check::{check, notes};
+
 use super::contact::{Contact, dot};
 use super::impulses::{Fallbacks, Refused, Solved};
 use super::mechanics::Mechanics;
-use super::song_pang_kumar_law::margin;
-use super::song_pang_kumar_memory::Memory;
-use super::song_pang_kumar_newton::{Newton, Work};
 use super::state::State;
 use super::stepper::Stepper;
 use crate::answer::{ContactName, ContactState};
 use crate::complementarity::Rung;
 use crate::model::World;
+use law::margin;
+use memory::Memory;
+use newton::{Newton, Work};
 
 /// Steps a world by (17); keeps its memory between steps.
 ///

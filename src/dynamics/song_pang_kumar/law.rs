@@ -5,7 +5,7 @@ use crate::model::{Compliance, Material};
 
 /// The contact's numbers for steps of one length.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Law {
+pub(in crate::dynamics) struct Law {
     /// k = K + C/h along n, then along t and o (N/m).
     k: [f64; 2],
     stiffness: [f64; 2],
@@ -18,7 +18,7 @@ pub(super) struct Law {
 
 /// Force of a contact and how it changes with what moves the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Force {
+pub(in crate::dynamics) struct Force {
     /// λ along n, t and o (N).
     pub lambda: [f64; 3],
     /// -∂λ/∂(W ν') in the rows n, t, o (N s/m); the gap changes by h W_n ν'.
@@ -100,13 +100,13 @@ impl Law {
 }
 
 /// Energy of a deformation (J), ½ K |δ|².
-pub(super) fn energy(compliance: &Compliance, delta: [f64; 3]) -> f64 {
+pub(in crate::dynamics) fn energy(compliance: &Compliance, delta: [f64; 3]) -> f64 {
     let [n, t] = compliance.stiffness;
     0.5 * (n * delta[0] * delta[0] + t * (delta[1] * delta[1] + delta[2] * delta[2]))
 }
 
 /// How far the trial lies inside the disc of friction, negative outside, as a part of its radius, from impulses.
-pub(super) fn margin(material: &Material, impulse: [f64; 3], h: f64) -> f64 {
+pub(in crate::dynamics) fn margin(material: &Material, impulse: [f64; 3], h: f64) -> f64 {
     let gamma = material.compliance.map_or(0.0, |compliance| compliance.gamma);
     let press = material.friction * impulse[0];
     let radius = (press * (press + 2.0 * gamma * h)).sqrt();

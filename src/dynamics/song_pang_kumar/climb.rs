@@ -1,10 +1,10 @@
 //! Guesses for the equation of a compliant step, one after the other until one leads to its solution.
 
-use super::contact::add_scaled;
-use super::mechanics::Mechanics;
-use super::song_pang_kumar_law::Law;
-use super::song_pang_kumar_newton::{Newton, Stage, Work};
-use super::state::State;
+use super::super::contact::add_scaled;
+use super::super::mechanics::Mechanics;
+use super::super::state::State;
+use super::law::Law;
+use super::newton::{Newton, Stage, Work};
 use crate::model::World;
 
 /// Shortest step that predicts the next longer one: h / 2⁸.
@@ -14,7 +14,7 @@ const ROUGH: f64 = 1e6;
 
 /// How a step was solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Climb {
+pub(in crate::dynamics) struct Climb {
     pub work: Work,
     /// Whether solutions of other problems had to lead the way.
     pub continued: bool,

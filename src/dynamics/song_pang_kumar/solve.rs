@@ -2,7 +2,7 @@
 
 /// A square system; keeps its memory.
 #[derive(Debug, Default)]
-pub(super) struct System {
+pub(in crate::dynamics) struct System {
     n: usize,
     /// Row-major.
     pub matrix: Vec<f64>,

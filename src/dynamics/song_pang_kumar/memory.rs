@@ -1,9 +1,9 @@
 //! What compliant contacts remember from step to step: their deformation and their force, by name.
 
-use super::contact::Contact;
-use super::mechanics::Mechanics;
-use super::song_pang_kumar_law::{Force, Law, energy};
-use super::song_pang_kumar_newton::Joint;
+use super::super::contact::Contact;
+use super::super::mechanics::Mechanics;
+use super::law::{Force, Law, energy};
+use super::newton::Joint;
 use crate::answer::ContactName;
 use crate::model::World;
 
@@ -21,7 +21,7 @@ struct Entry {
 
 /// All contacts', in the order in which they were found.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Memory {
+pub(in crate::dynamics) struct Memory {
     entries: Vec<Entry>,
     spare: Vec<Entry>,
     is_found: Vec<bool>,
