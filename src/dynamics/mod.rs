@@ -21,6 +21,8 @@ mod spatial;
 mod state;
 mod stepper;
 mod stewart_trinkle;
+mod stopped;
+mod touches;
 
 pub use mechanics::Mechanics;
 pub use options::{ModelKind, Options};
@@ -31,6 +33,7 @@ use crate::model::World;
 use moreau::Moreau;
 use song_pang_kumar::SongPangKumar;
 use stewart_trinkle::StewartTrinkle;
+use stopped::Stopped;
 
 /// Runs a scene.
 ///
@@ -50,12 +53,17 @@ pub fn simulate<S: Mechanics>(
             song_pang_kumar::check(world)?;
             let mut stepper = SongPangKumar::new(world, options.second_order);
             let mut simulation = run::run(world, options, choice("spk"), &mut stepper, watch);
-            simulation.notes.splice(0..0, song_pang_kumar::notes(world));
+            simulation.notes.splice(0..0, song_pang_kumar::notes(world, step, options.second_order));
             Ok(simulation)
         }
         ModelKind::StewartTrinkle => {
-            let mut stepper = StewartTrinkle::new(world, options.recovery_speed.unwrap_or(f64::INFINITY));
-            Ok(run::run(world, options, choice("st"), &mut stepper, watch))
+            let recovery_speed = options.recovery_speed.unwrap_or(f64::INFINITY);
+            let restitutes = world.materials.iter().any(|material| material.restitution.coefficient() > 0.0);
+            Ok(if restitutes {
+                run::run(world, options, choice("st"), &mut Stopped::new(world, recovery_speed), watch)
+            } else {
+                run::run(world, options, choice("st"), &mut StewartTrinkle::new(world, recovery_speed), watch)
+            })
         }
         ModelKind::Auto => ladder::climb(world, options, watch),
         ModelKind::Moreau => Ok(run::run(world, options, choice("moreau"), &mut Moreau::new(world), watch)),

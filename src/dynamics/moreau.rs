@@ -12,6 +12,7 @@ use super::nearby::Nearby;
 use super::project::{Held, project};
 use super::state::State;
 use super::stepper::Stepper;
+use super::touches::Touches;
 use crate::answer::ContactName;
 use crate::model::World;
 
@@ -54,7 +55,7 @@ pub(super) struct Moreau<'w, S: Mechanics> {
     /// What the substep passed through.
     passed: Vec<ContactName>,
     /// Impulses of the whole step by contact, and when each began.
-    touches: Vec<(Contact<S>, [f64; 3], f64)>,
+    touches: Touches<S>,
     /// A gap up to this counts as touching (m).
     touching: f64,
     /// Least distance over which one outline can pass through another unseen (m).
@@ -90,7 +91,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             held: Vec::new(),
             forced: Vec::new(),
             passed: Vec::new(),
-            touches: Vec::new(),
+            touches: Touches::default(),
             touching,
             thinnest,
             substep: 0.0,
@@ -184,7 +185,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
         let time = self.current.time - self.substep;
         for (contact, impulse) in self.closed.iter().zip(answer) {
             self.held.push((contact.name, impulse[0] > 0.0));
-            add_touch(&mut self.touches, contact, *impulse, time);
+            self.touches.add(contact, *impulse, time);
         }
         for _ in 0..MAX_PROJECTIONS {
             let held: Vec<Held<S>> = self.here.iter().filter_map(|contact| self.to_project(contact)).collect();
@@ -303,7 +304,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
                 let struck =
                     impact.strike(self.world, &mut self.impulses, &self.here, &mut self.current, &mut total)?;
                 for (contact, impulse) in struck {
-                    add_touch(&mut self.touches, &contact, impulse, self.current.time);
+                    self.touches.add(&contact, impulse, self.current.time);
                 }
             }
             let r = self.seen(left);
@@ -324,7 +325,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     }
 
     fn touches(&self) -> impl Iterator<Item = (&Contact<S>, [f64; 3])> {
-        self.touches.iter().map(|(contact, impulse, _)| (contact, *impulse))
+        self.touches.iter()
     }
 
     fn deepest(&self) -> f64 {
@@ -336,7 +337,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     }
 
     fn touched_at(&self, name: &ContactName) -> Option<f64> {
-        self.touches.iter().find(|(contact, ..)| contact.name == *name).map(|(.., time)| *time)
+        self.touches.since(name)
     }
 
     fn forces(&self, world: &World<S>, state: &State<S>) -> Option<Forces> {
@@ -345,20 +346,5 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
 
     fn is_suspect(&self) -> bool {
         self.impulses.is_suspect
-    }
-}
-
-fn add_touch<S: Mechanics>(
-    touches: &mut Vec<(Contact<S>, [f64; 3], f64)>,
-    contact: &Contact<S>,
-    impulse: [f64; 3],
-    time: f64,
-) {
-    match touches.iter_mut().find(|(known, ..)| known.name == contact.name) {
-        Some((known, sum, _)) => {
-            *known = *contact;
-            (0..3).for_each(|row| sum[row] += impulse[row]);
-        }
-        None => touches.push((*contact, impulse, time)),
     }
 }
