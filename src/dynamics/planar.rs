@@ -105,6 +105,10 @@ impl Mechanics for Planar {
         -(gravity[0] * pose[0] + gravity[1] * pose[1])
     }
 
+    fn displacement(from: &[f64; 3], to: &[f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| to[i] - from[i])
+    }
+
     fn separation(radius: f64, a: &[f64; 3], b: &[f64; 3]) -> f64 {
         distance([a[0], a[1]], [b[0], b[1]]) + radius * (a[2] - b[2]).abs()
     }

@@ -2,7 +2,7 @@
 
 use super::contact::{Contact, dot};
 use super::impulses::{Refused, SLIPPING, Solved};
-use super::judge::Judge;
+use super::judge::{Judge, short};
 use super::mechanics::Mechanics;
 use super::options::Options;
 use super::state::State;
@@ -189,6 +189,7 @@ impl<S: Mechanics> Log<S> {
 
     /// Says why a step was refused.
     fn refused(&mut self, time: f64, refused: &Refused) -> Status {
+        let time = short(time);
         let (what, status) = match refused {
             Refused::NoSolution(_) => {
                 ("no impulses are admissible: bodies overlap and are held so", Status::Inconsistent)
@@ -204,8 +205,10 @@ impl<S: Mechanics> Log<S> {
             }
             Refused::TooSoft { depth, half } => {
                 self.notes.push(format!(
-                    "at {time} s a contact is about to give way by up to {depth} m, more than half the thickness, \
-                     {half} m: it is too soft to keep the bodies apart"
+                    "at {time} s a contact is about to give way by up to {} m, more than half the thickness, {} m: it is too \
+                     soft to keep the bodies apart",
+                    short(*depth),
+                    short(*half)
                 ));
                 return Status::Partial;
             }
@@ -269,11 +272,11 @@ pub(super) fn contact_state<S: Mechanics>(
 
 /// Work of applied wrenches, moving surfaces and kinematic bodies in a step (J).
 fn work<S: Mechanics>(world: &World<S>, before: &State<S>, after: &State<S>, stepper: &impl Stepper<S>) -> f64 {
-    let h = after.time - before.time;
     let mut work = 0.0;
-    for (body, velocity) in world.bodies.iter().zip(&after.velocities).filter(|(body, _)| !body.is_kinematic) {
+    let poses = before.poses.iter().zip(&after.poses);
+    for (body, (from, to)) in world.bodies.iter().zip(poses).filter(|(body, _)| !body.is_kinematic) {
         if let Some(applied) = body.scheduled(before.time) {
-            work += h * dot(applied, velocity);
+            work += dot(applied, &S::displacement(from, to));
         }
     }
     for (contact, impulse) in stepper.touches() {

@@ -92,6 +92,20 @@ impl Mechanics for Spatial {
         -(gravity[0] * pose[0] + gravity[1] * pose[1] + gravity[2] * pose[2])
     }
 
+    fn displacement(from: &[f64; 7], to: &[f64; 7]) -> [f64; 6] {
+        let ([a, ax, ay, az], [b, bx, by, bz]) = ([from[3], from[4], from[5], from[6]], [to[3], to[4], to[5], to[6]]);
+        // to × conj(from)
+        let e0 = b * a + bx * ax + by * ay + bz * az;
+        let e = [
+            -b * ax + bx * a - by * az + bz * ay,
+            -b * ay + by * a - bz * ax + bx * az,
+            -b * az + bz * a - bx * ay + by * ax,
+        ];
+        let length = dot(e, e).sqrt();
+        let turn = if length > 0.0 { 2.0 * libm::atan2(length, e0.abs()) / length * e0.signum() } else { 0.0 };
+        [to[0] - from[0], to[1] - from[1], to[2] - from[2], turn * e[0], turn * e[1], turn * e[2]]
+    }
+
     fn separation(radius: f64, a: &[f64; 7], b: &[f64; 7]) -> f64 {
         let away = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         let cosine: f64 = a[3..].iter().zip(&b[3..]).map(|(a, b)| a * b).sum();

@@ -1,5 +1,6 @@
 //! Whether a scene can be stepped with compliant contacts, and what in it is too soft to mean much.
 
+use super::super::judge::short;
 use super::super::mechanics::Mechanics;
 use crate::model::{Body, Space, World};
 
@@ -62,15 +63,18 @@ pub(in crate::dynamics) fn notes<S: Mechanics>(world: &World<S>) -> Vec<String> 
             let sink = mass * gravity / compliance.stiffness[0];
             if sink > half {
                 notes.push(format!(
-                    "{name} on {with} sinks by {sink} m under its weight, more than half the thickness, {half} m"
+                    "{name} on {with} sinks by {} m under its weight, more than half the thickness, {} m",
+                    short(sink),
+                    short(half)
                 ));
             }
             let speed = S::fastest(0.0, velocity);
             let depth = speed * (mass / compliance.stiffness[0]).sqrt().min(mass / compliance.damping[0]);
             if depth > half {
                 notes.push(format!(
-                    "at its first speed {name} would be up to {depth} m deep in {with}, more than half the thickness, \
-                     {half} m"
+                    "at its first speed {name} would be up to {} m deep in {with}, more than half the thickness, {} m",
+                    short(depth),
+                    short(half)
                 ));
             }
         }
