@@ -1,6 +1,7 @@
 //! The time-steppers against the published scenes, closed forms and invariants.
 
 mod discrete;
+mod drives;
 mod peers;
 mod published;
 mod spk_accuracy;
