@@ -1,0 +1,41 @@
+"""What the drivers in Python share: the scenes, the steps, the CPU time of a run and the line that says how it ended."""
+
+import json
+import sys
+import time
+
+STEPS = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4]
+TRACED = {"rocking_block", "popout_1mm"}  # the measure of these needs the whole way
+
+
+def scenes():
+    """Scenes named on the command line: DRIVER SCENES.json NAME…"""
+    with open(sys.argv[1], encoding="utf-8") as file:
+        return [scene for scene in json.load(file)["scenes"] if scene["name"] in sys.argv[2:]]
+
+
+def measure(peer, scene, h, build):
+    """Prints one run. `build()` gives an object with `steps(n)` and `state()`, which is (poses, velocities)."""
+    steps = round(scene["T"] / h)
+    world, way = build(), []
+    if scene["name"] in TRACED:
+        for _ in range(steps):
+            world.steps(1)
+            poses, velocities = world.state()
+            way.append([poses[0][1], poses[0][2], velocities[0][2]])
+    else:
+        world.steps(steps)
+    poses, velocities = world.state()
+    row = {"peer": peer, "scene": scene["name"], "h": h, "steps": steps, "cpu": median(build, steps)}
+    print(json.dumps(row | {"poses": poses, "velocities": velocities, "way": way}), flush=True)
+
+
+def median(build, steps):
+    """Median CPU time (s) of up to five runs; one is enough if it is long."""
+    times = []
+    while len(times) < 5 and sum(times) < 0.2:
+        world = build()
+        start = time.thread_time()
+        world.steps(steps)
+        times.append(time.thread_time() - start)
+    return sorted(times)[len(times) // 2]

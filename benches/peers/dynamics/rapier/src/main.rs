@@ -1,0 +1,97 @@
+//! Runs the scenes in Rapier (f64): `rapier-driver SCENES.json NAME…`
+//!
+//! One line of JSON a run: peer, scene, step, number of steps, CPU time of the steps (s), last poses and velocities,
+//! and for the scenes that need it the way of the first body, as `compare.py` reads them.
+
+mod plane;
+mod space;
+
+use cpu_time::ThreadTime;
+use serde_json::{Value, json};
+
+/// Settings of one row of the comparison.
+#[derive(Clone, Copy)]
+pub struct Setting {
+    name: &'static str,
+    /// Solver iterations, 4 by default.
+    iterations: usize,
+    /// Whether contacts of bodies that moved less than a twentieth of a metre are kept as they are, as by default.
+    recycling: bool,
+}
+
+const SETTINGS: [Setting; 2] = [
+    Setting { name: "default", iterations: 4, recycling: true },
+    Setting { name: "20 iterations", iterations: 20, recycling: false },
+];
+const STEPS: [f64; 6] = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4];
+
+/// A scene, ready to be stepped.
+pub trait Run {
+    fn step(&mut self);
+    /// Poses and velocities of all bodies.
+    fn state(&self) -> (Vec<[f64; 3]>, Vec<[f64; 3]>);
+}
+
+fn main() {
+    let mut arguments = std::env::args().skip(1);
+    let path = arguments.next().expect("SCENES.json NAME…");
+    let names: Vec<String> = arguments.collect();
+    let all: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let wanted = |scene: &&Value| names.iter().any(|name| scene["name"] == name.as_str());
+    for scene in all["scenes"].as_array().unwrap().iter().filter(wanted) {
+        for (setting, h) in SETTINGS.iter().flat_map(|setting| STEPS.map(|h| (setting, h))) {
+            if scene["dim"] == "3d" {
+                measure("Rapier3D", scene, setting, h, || space::World::new(scene, setting, h));
+            } else {
+                measure("Rapier2D", scene, setting, h, || plane::World::new(scene, setting, h));
+            }
+        }
+    }
+}
+
+fn measure<R: Run>(engine: &str, scene: &Value, setting: &Setting, h: f64, build: impl Fn() -> R) {
+    let steps = (number(&scene["T"]) / h).round() as usize;
+    let mut world = build();
+    let mut way = Vec::new();
+    for _ in 0..steps {
+        world.step();
+        let (poses, velocities) = world.state();
+        way.push(json!([poses[0][1], poses[0][2], velocities[0][2]]));
+    }
+    let (poses, velocities) = world.state();
+    let traced = scene["name"] == "rocking_block" || scene["name"] == "popout_1mm";
+    println!(
+        "{}",
+        json!({
+            "peer": format!("{engine} {}", setting.name), "scene": scene["name"], "h": h, "steps": steps,
+            "cpu": median(|| timed(build(), steps)), "poses": poses, "velocities": velocities,
+            "way": if traced { way } else { Vec::new() },
+        })
+    );
+}
+
+fn timed(mut world: impl Run, steps: usize) -> f64 {
+    let start = ThreadTime::now();
+    for _ in 0..steps {
+        world.step();
+    }
+    start.elapsed().as_secs_f64()
+}
+
+/// Median of up to five runs; one is enough if it is long.
+fn median(run: impl Fn() -> f64) -> f64 {
+    let mut times: Vec<f64> = Vec::new();
+    while times.len() < 5 && times.iter().sum::<f64>() < 0.2 {
+        times.push(run());
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+fn numbers(value: &Value) -> [f64; 3] {
+    [0, 1, 2].map(|i| number(&value[i]))
+}
