@@ -1,6 +1,6 @@
 //! Error and time of the time-steppers on the scenes on which other engines were measured.
 //!
-//! `cargo bench --bench dynamics [-- SCENE…]`
+//! `cargo bench --bench dynamics [-- [--csv] SCENE…]`; `benches/dynamics_peers.sh` reads the comma-separated form.
 
 #[path = "../tests/dynamics/peers.rs"]
 mod peers;
@@ -12,23 +12,28 @@ use partplan::model::World;
 use std::time::Duration;
 
 fn main() {
-    let wanted: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
+    let (flags, wanted): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|arg| arg.starts_with('-'));
+    let csv = flags.iter().any(|flag| flag == "--csv");
     let is_wanted = |name: &str| wanted.is_empty() || wanted.iter().any(|wanted| name.starts_with(wanted.as_str()));
-    println!(
-        "{:24} {:8} {:>8}  {:>9} {:>9} {:>11} {:>7}",
-        "scene", "model", "h", "error", "us/step", "ms/sim-s", "impacts"
-    );
+    if csv {
+        println!("scene,model,h,error,us_per_step,ms_per_simulated_second");
+    } else {
+        println!(
+            "{:24} {:8} {:>8}  {:>9} {:>9} {:>11} {:>7}",
+            "scene", "model", "h", "error", "us/step", "ms/sim-s", "impacts"
+        );
+    }
     for scene in peers::scenes().iter().filter(|scene| is_wanted(&scene.name)) {
-        measure(&scene.name, &scene.world, |run| scene.error(run));
+        measure(csv, &scene.name, &scene.world, |run| scene.error(run));
     }
     if is_wanted("seed_sphere") {
-        measure("seed_sphere", &peers::sphere(), peers::sphere_error);
+        measure(csv, "seed_sphere", &peers::sphere(), peers::sphere_error);
     }
 }
 
-fn measure<S: Mechanics>(scene: &str, world: &World<S>, error: impl Fn(&Simulation<S>) -> f64) {
+fn measure<S: Mechanics>(csv: bool, scene: &str, world: &World<S>, error: impl Fn(&Simulation<S>) -> f64) {
     for (name, model) in [("st", ModelKind::StewartTrinkle), ("moreau", ModelKind::Moreau)] {
-        for h in [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4] {
+        for h in [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4] {
             let options = Options { model, step: Some(h), frames: 2, ..Options::default() };
             let all = Options { frames: usize::MAX, ..options.clone() };
             let run = simulate(world, &all, &mut |_| true).unwrap();
@@ -36,12 +41,14 @@ fn measure<S: Mechanics>(scene: &str, world: &World<S>, error: impl Fn(&Simulati
             let time = median(|| {
                 std::hint::black_box(simulate(world, &options, &mut |_| true).unwrap());
             });
-            println!(
-                "{scene:24} {name:8} {h:>8}  {error:>9.1e} {:>9.3} {:>11.4} {:>7}",
-                time.as_secs_f64() * 1e6 / run.solver.steps as f64,
-                time.as_secs_f64() * 1e3 / world.duration,
-                run.solver.impacts,
-            );
+            let step = time.as_secs_f64() * 1e6 / run.solver.steps as f64;
+            let second = time.as_secs_f64() * 1e3 / world.duration;
+            if csv {
+                println!("{scene},{name},{h},{error:e},{step},{second}");
+            } else {
+                let impacts = run.solver.impacts;
+                println!("{scene:24} {name:8} {h:>8}  {error:>9.1e} {step:>9.3} {second:>11.4} {impacts:>7}");
+            }
         }
     }
 }
