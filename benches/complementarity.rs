@@ -14,14 +14,15 @@ use std::hint::black_box;
 use std::time::Instant;
 
 /// Name, family, and how many of a thousand problems.
-const FAMILIES: [(&str, Family, usize); 8] = [
-    ("planar, 1-4 contacts", Family::Generic { from: 1, to: 4 }, 550),
+const FAMILIES: [(&str, Family, usize); 9] = [
+    ("planar, 1-4 contacts", Family::Generic { from: 1, to: 4 }, 547),
     ("planar, 5-12 contacts", Family::Generic { from: 5, to: 12 }, 150),
     ("resting, 2-12 contacts", Family::Resting, 150),
     ("stacks of 2-6, ratio 1", Family::Stack { ratio: 1.0 }, 70),
     ("stacks of 2-6, ratio 10^3", Family::Stack { ratio: 1e3 }, 40),
     ("stacks of 2-6, ratio 10^6", Family::Stack { ratio: 1e6 }, 36),
-    ("wild, 1-12 contacts", Family::Wild, 3),
+    ("wild, 1-12 contacts", Family::Wild { overlaps: false }, 5),
+    ("wild with overlaps", Family::Wild { overlaps: true }, 1),
     ("squeeze, 2-4 contacts", Family::Squeeze, 1),
 ];
 
@@ -146,30 +147,32 @@ fn speed() {
     }
 }
 
-/// Time of Lemke's method in integers on the same problems, assembled from the factors.
+/// Time of Lemke's method in integers, without a proposal from doubles, **M** assembled from the factors included.
 fn arbiter() {
-    println!("\n| contacts | n | exact from factors | median | p99 |");
-    println!("|---|---|---|---|---|");
+    println!("\n| problems | answered | median | p99 |");
+    println!("|---|---|---|---|");
     for (family, name) in [
-        (Family::Generic { from: 1, to: 4 }, "1-4 in motion"),
-        (Family::Generic { from: 4, to: 4 }, "4 in motion"),
-        (Family::Generic { from: 8, to: 8 }, "8 in motion"),
-        (Family::Stack { ratio: 1e6 }, "stacks, ratio 10^6"),
+        (Family::Generic { from: 1, to: 4 }, "1-4 contacts, n <= 16"),
+        (Family::Generic { from: 4, to: 4 }, "4 contacts, n = 16"),
+        (Family::Generic { from: 8, to: 8 }, "8 contacts, n = 32"),
+        (Family::Stack { ratio: 1e6 }, "stacks, ratio 10^6, n <= 48"),
     ] {
         let mut random = Random(13);
-        let mut solver = Solver::with_limits(Limits { first: Rung::Exact, ..Limits::default() });
+        // a grip that rounding of q has closed ends in a ray and is left to the cases
+        let mut solver = Solver::with_limits(Limits { first: Rung::Exact, cases: 0, ..Limits::default() });
         let mut m = Vec::new();
-        let mut times: Vec<f64> = (0..200)
-            .map(|_| {
-                let problem = draw(family, &mut random);
-                problem.factors().assemble(&mut m).expect("finite factors");
-                let start = Instant::now();
-                let lcp = Lcp { m: &m, q: &problem.q };
-                black_box(solver.solve(lcp, None, &|| problem.factors().to_exact())).expect("a shape");
-                start.elapsed().as_secs_f64()
-            })
-            .collect();
+        let mut times = Vec::new();
+        for _ in 0..200 {
+            let problem = draw(family, &mut random);
+            problem.factors().assemble(&mut m).expect("finite factors");
+            let start = Instant::now();
+            let lcp = Lcp { m: &m, q: &problem.q };
+            let verdict = black_box(solver.solve(lcp, None, &|| problem.factors().to_exact())).expect("a shape");
+            if let Verdict::Solved(_) = verdict {
+                times.push(start.elapsed().as_secs_f64());
+            }
+        }
         let [median, late] = [0.5, 0.99].map(|part| 1e3 * quantile(&mut times, part));
-        println!("| {name} | | 200 | {median:.2} ms | {late:.2} ms |");
+        println!("| {name} | {} of 200 | {median:.2} ms | {late:.2} ms |", times.len());
     }
 }

@@ -1,6 +1,7 @@
 //! Bad scenes: what is said, where, and what would be right.
 
 use partplan::case::{Fault, Limits, missing_section, read_scene, render};
+use proptest::prelude::*;
 
 /// The text, `§` before the character that the fault must point at; code and path; words of the message and of the help.
 type Bad = (String, &'static str, &'static str, &'static str, &'static str);
@@ -550,4 +551,61 @@ fn a_unit_of_length_does_not_apply_and_that_is_said() {
     let text = more("\"restitution\": 0").replacen('{', "{\"length_unit\": \"mm\", ", 1);
     let warnings = read_scene(text.as_bytes(), &Limits::default()).unwrap().warnings;
     assert!(warnings.len() == 1 && warnings[0].contains("length_unit"), "{warnings:?}");
+}
+
+/// Pieces that turn a scene into a bad one.
+const PIECES: [&str; 16] = [
+    "0",
+    "-1",
+    "1e400",
+    "1e-400",
+    "null",
+    "[]",
+    "{}",
+    "\"x\"",
+    "true",
+    "1/3",
+    "\"1/3\"",
+    "[[0,0],[0,0]]",
+    "§",
+    "\"",
+    "}",
+    "-",
+];
+
+proptest! {
+    /// Whatever a scene holds, there is an answer, and every fault says where and shows in type.
+    #[test]
+    fn damaged_scenes_are_read_or_refused(
+        case in 0..3_usize,
+        cuts in prop::collection::vec((any::<prop::sample::Index>(), 0..12_usize, 0..PIECES.len()), 1..4),
+    ) {
+        let cases = ["peg_drop", "sphere", "chute"];
+        let mut bytes = std::fs::read(format!("cases/{}.json", cases[case])).unwrap();
+        for (at, length, piece) in cuts {
+            let at = at.index(bytes.len());
+            let end = (at + length).min(bytes.len());
+            bytes.splice(at..end, PIECES[piece].bytes());
+        }
+        if let Err(faults) = read_scene(&bytes, &Limits::default()) {
+            prop_assert!(!faults.is_empty());
+            prop_assert!(!render(&faults, "bad.json", &bytes, false).is_empty());
+        }
+    }
+
+    /// The same, one value of a sound scene replaced as a whole.
+    #[test]
+    fn replaced_values_are_read_or_refused(case in 0..3_usize, at in any::<prop::sample::Index>(), piece in 0..PIECES.len()) {
+        let cases = ["peg_drop", "sphere", "chute"];
+        let text = std::fs::read_to_string(format!("cases/{}.json", cases[case])).unwrap();
+        let starts: Vec<usize> = text.match_indices(": ").map(|(at, _)| at + 2).collect();
+        let start = starts[at.index(starts.len())];
+        let mut parsed = serde_json::Deserializer::from_str(&text[start..]).into_iter::<serde_json::Value>();
+        prop_assume!(parsed.next().is_some_and(|value| value.is_ok()));
+        let end = start + parsed.byte_offset();
+        let bytes = format!("{}{}{}", &text[..start], PIECES[piece], &text[end..]).into_bytes();
+        if let Err(faults) = read_scene(&bytes, &Limits::default()) {
+            prop_assert!(faults.iter().all(|fault| fault.help_text().is_some()), "{faults:?}");
+        }
+    }
 }

@@ -104,7 +104,7 @@ fn limits_leave_a_partial_answer() {
     for (option, value, said) in
         [("--time-limit", "0.2", "--time-limit allows more"), ("--max-steps", "7", "--max-steps")]
     {
-        let run = plan().arg(&scene).args([option, value, "--format", "json"]).output().unwrap();
+        let run = plan().arg(&scene).args([option, value, "--step", "1e-3", "--format", "json"]).output().unwrap();
         assert_eq!(run.status.code(), Some(3));
         let answer = document(&run);
         assert_eq!((&answer["status"], &answer["result"]["status"]), (&"undecided".into(), &"partial".into()));

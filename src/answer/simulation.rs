@@ -125,7 +125,7 @@ pub struct Energy {
     pub start: f64,
     /// At the end.
     pub end: f64,
-    /// Work done by wrenches, moving surfaces and kinematic bodies.
+    /// Work done by wrenches, moving surfaces and kinematic bodies, and by undoing overlaps.
     pub work: f64,
     /// Dissipated by friction, impacts and damping, including that of the scheme.
     pub dissipated: f64,

@@ -1,6 +1,7 @@
 //! How a run ends.
 
 use partplan::cone::format::FormatError;
+use partplan::dynamics::SimulationError;
 use partplan::mechanics::ModeError;
 use partplan::planner::{PinsError, SuggestError};
 use std::io;
@@ -41,6 +42,15 @@ pub enum Failure {
     /// Places for the fixels cannot be proposed.
     #[error("error: {0}")]
     Suggest(#[from] SuggestError),
+    /// The model asked for needs to know how two bodies give way.
+    #[error(
+        "error: `{first}` and `{second}` can touch, but no stiffness and damping is given for the two, which --model spk \
+         needs; write \"contact\": {{\"stiffness\": 5e4, \"damping\": 14}} in the scene"
+    )]
+    NoCompliance { first: String, second: String },
+    /// The model asked for does not fit the scene.
+    #[error("error: {0}")]
+    Simulation(SimulationError),
     /// Pins cannot be planned.
     #[error("error: {0}")]
     Pins(#[from] PinsError),

@@ -68,6 +68,9 @@ fn task<S>(
     Ok(Task { name, case, section })
 }
 
+/// Warnings shown of a scene, which may have one for each body.
+const MOST_WARNINGS: usize = 5;
+
 /// A scene and what it is called.
 pub struct SceneTask {
     /// Its name, or that of its file.
@@ -82,8 +85,11 @@ pub fn scene(common: &Common) -> Result<SceneTask, Failure> {
     let bytes = bytes(&common.case, common.max_bytes, "scene.json")?;
     let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
     let case = case::read_scene(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
-    for warning in &case.warnings {
+    for warning in case.warnings.iter().take(MOST_WARNINGS) {
         output::complain(&format!("warning: {shown}: {warning}"));
+    }
+    if let Some(more) = case.warnings.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
+        output::complain(&format!("warning: {shown}: and {more} warnings more (--format json lists all)"));
     }
     Ok(SceneTask { name: case.name.clone().unwrap_or_else(|| stem(&common.case)), case })
 }

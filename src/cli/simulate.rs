@@ -6,7 +6,7 @@ use super::stop::{Reason, Stop};
 use super::{Failure, Outcome, input, output};
 use clap::builder::TypedValueParser as _;
 use partplan::answer::{Simulation, Status};
-use partplan::dynamics::{self, Mechanics, ModelKind, Options};
+use partplan::dynamics::{self, Mechanics, ModelKind, Options, SimulationError};
 use partplan::exact::{LiteralError, parse_literal, to_f64};
 use partplan::model::{Scene, World};
 use partplan::report::{self, Run, Shown};
@@ -95,11 +95,12 @@ fn follow<S: Mechanics + Shown>(
         world.materials.iter_mut().for_each(|material| material.friction = 0.0);
     }
     let (clock, mut stop) = (Clock::new(world.duration), Stop::new(args.common.limits));
-    let mut answer = dynamics::simulate(&world, &args.options(), &mut |time| {
+    let answer = dynamics::simulate(&world, &args.options(), &mut |time| {
         clock.show(time);
         stop.goes_on()
     });
     clock.clear();
+    let mut answer = answer.map_err(|error| refused(&world, error))?;
     if args.model == Model::Frictionless {
         answer.model.why.insert(0, "friction is left out, as asked".to_owned());
     }
@@ -120,6 +121,18 @@ fn follow<S: Mechanics + Shown>(
         (Status::Partial, _) => Outcome::Undecided,
         _ => Outcome::Yes,
     })
+}
+
+/// Why the scene is not simulated, by the names of its bodies.
+fn refused<S: Shown>(world: &World<S>, error: SimulationError) -> Failure {
+    let names = || world.bodies.iter().map(|body| &body.name).chain(world.fixed.iter().map(|fixed| &fixed.name));
+    let name = |number: usize| names().nth(number).cloned().unwrap_or_default();
+    match error {
+        SimulationError::NoCompliance { body, other } => {
+            Failure::NoCompliance { first: name(body), second: name(other) }
+        }
+        error => Failure::Simulation(error),
+    }
 }
 
 /// Whether the steps allowed were too few; what else ends a run early is in its notes already.
@@ -158,6 +171,7 @@ impl Args {
             recovery_speed: self.recovery_speed,
             frames: self.frames,
             max_steps: self.max_steps,
+            ..defaults
         }
     }
 }

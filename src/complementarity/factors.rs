@@ -38,13 +38,13 @@ impl Factors<'_> {
     /// Number of contacts.
     #[must_use]
     pub fn contacts(&self) -> usize {
-        if self.directions == 0 { self.q.len() } else { self.q.len() / (self.directions + 2) }
+        if self.directions == 0 { self.q.len() } else { self.q.len() / self.directions.saturating_add(2) }
     }
 
     /// Number of impulses, normal and tangential.
     #[must_use]
     pub fn impulses(&self) -> usize {
-        self.contacts() * (self.directions + 1)
+        self.contacts().saturating_mul(self.directions.saturating_add(1))
     }
 
     /// Whether the lengths fit each other and all entries are finite.
@@ -57,10 +57,10 @@ impl Factors<'_> {
             if found == expected { Ok(()) } else { Err(LcpError::Factor { what, found, expected }) }
         };
         if self.directions > 0 {
-            needed("q", self.q.len(), contacts * (self.directions + 2))?;
+            needed("q", self.q.len(), contacts.saturating_mul(self.directions.saturating_add(2)))?;
             needed("mu", self.mu.len(), contacts)?;
         }
-        needed("the jacobian", self.jacobian.len(), self.impulses() * self.inverse_mass.len())?;
+        needed("the jacobian", self.jacobian.len(), self.impulses().saturating_mul(self.inverse_mass.len()))?;
         let mut all = self.jacobian.iter().chain(self.inverse_mass).chain(self.mu).chain(self.q);
         if all.all(|value| value.is_finite()) { Ok(()) } else { Err(LcpError::NotFinite) }
     }

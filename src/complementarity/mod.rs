@@ -1,6 +1,10 @@
 //! Linear complementarity problems `w = M z + q`, `0 ≤ w ⊥ z ≥ 0`, as frictional contact poses them.
 //!
-//! [`Solver`] answers in doubles where a residual certifies the answer, and exactly elsewhere.
+//! * [`Lcp`] is a problem in doubles, [`Factors`] are what a contact problem is made of, and [`ExactLcp`] is a problem
+//!   without rounding.
+//! * [`Solver`] climbs from the last basis over Lemke's method to Newton's, accepts an answer only with its
+//!   [`Residual`], and ends in integers: with a solution, a [`Proof`] that there is none, or the limit it met.
+//! * [`enumerate`] finds all solutions of a small problem, and tells forces from the velocities that they cause.
 
 mod arbiter;
 mod basis;

@@ -57,6 +57,9 @@ impl Solver {
     /// `exact` is asked for the problem without rounding, once, if doubles fail. For contacts it is
     /// [`Factors::to_exact`](super::Factors::to_exact).
     ///
+    /// The exact rungs take `q` at its word. A part that is held from all sides at gaps of zero has no solution if rounding
+    /// has made one entry of `q` too small by 10^-17; doubles accept it, within their residual.
+    ///
     /// # Errors
     /// [`LcpError`] if the problem has no shape or an entry is not finite, and what `exact` returns.
     pub fn solve(

@@ -3,7 +3,10 @@
 use super::contact::{Contact, add_scaled, dot};
 use super::mechanics::Mechanics;
 use crate::answer::ContactName;
-use crate::complementarity::{Basis, ExactLcp, Factors, Lcp, LcpError, Proof, Rung, Solver, Undecided, Verdict};
+use crate::complementarity::{
+    Basis, Enumeration, ExactLcp, Factors, Lcp, LcpError, Proof, Rung, Solver, Undecided, Verdict, enumerate,
+};
+use crate::exact::to_f64;
 use crate::model::World;
 
 /// Most times that friction cones are turned in one problem.
@@ -14,6 +17,10 @@ const ALIGNED: f64 = 1e-9;
 
 /// Slip, relative to the speeds that meet at a contact, that is told from rounding.
 pub(super) const SLIPPING: f64 = 1e-9;
+
+/// Most contacts of a problem whose solutions are all looked for, and most complementary cases looked at for them.
+const MAX_ENUMERATED: usize = 4;
+const MAX_CASES: usize = 4096;
 
 /// How Coulomb's cone is met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -279,6 +286,22 @@ impl<S: Mechanics> Impulses<S> {
         Ok(Solved { residual, pivots, rung, problems: 1, ..Solved::nothing() })
     }
 
+    /// All normal forces that the last problem allows, for a step of length `h`; `contacts` are those of the problem.
+    pub fn forces(&self, world: &World<S>, poses: &[S::Pose], contacts: &[Contact<S>], h: f64) -> Option<Forces> {
+        if contacts.is_empty() || contacts.len() > MAX_ENUMERATED || contacts.len() != self.answer.len() {
+            return None;
+        }
+        let lcp = exact_problem(world, poses, contacts, &self.edges, &self.q).ok()?;
+        let Enumeration::Complete(all) = enumerate(&lcp, MAX_CASES) else {
+            return None;
+        };
+        let ranges = contacts.iter().enumerate().filter_map(|(i, contact)| {
+            let range = all.range(i)?;
+            Some((contact.name, to_f64(&range.min) / h, range.max.as_ref().map(|max| to_f64(max) / h)))
+        });
+        Some(Forces { ranges: ranges.collect() })
+    }
+
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
         for ((contact, (weighed, other)), impulse) in contacts.iter().zip(&self.weighed).zip(&self.answer) {
             for s in 0..n_rows {
@@ -289,6 +312,13 @@ impl<S: Mechanics> Impulses<S> {
             }
         }
     }
+}
+
+/// The normal forces of all solutions of a contact problem.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Forces {
+    /// Least and greatest of each contact (N); the greatest is `None` where there is none.
+    pub ranges: Vec<(ContactName, f64, Option<f64>)>,
 }
 
 /// How the contact problems of a step were solved.
@@ -340,6 +370,8 @@ pub(super) enum Refused {
     Undecided(Undecided),
     /// The numbers are no problem at all: something overflowed.
     Broken(LcpError),
+    /// Bodies overlap by this much and cannot be moved apart (m).
+    Overlap { depth: f64 },
     /// The equation of a compliant step was not solved, however short the step.
     Unsolved,
     /// A contact so soft that a body would be `depth` deep in another, beyond `half` its thickness (m).

@@ -1,5 +1,6 @@
 //! What is said aloud of a run: overlaps at its start, and the first step at which forces do not exist or are not unique.
 
+use super::impulses::Forces;
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::paradox::{Paradox, Suspect, judge};
@@ -31,7 +32,8 @@ impl<'w, S: Mechanics> Judge<'w, S> {
         self.nearby.find(&state.poses, 0.0, &mut contacts);
         let deepest = contacts.iter().min_by(|a, b| a.gap.total_cmp(&b.gap))?;
         let name = self.name(&deepest.name);
-        (deepest.gap < -self.nearby.touching()).then(|| format!("{name} overlap by {} m at the start", -deepest.gap))
+        (deepest.gap < -self.nearby.touching())
+            .then(|| format!("{name} overlap by {:.3e} m at the start", -deepest.gap))
     }
 
     /// Judges the state before a step whose contacts were suspect, unless the same contacts have been judged.
@@ -72,6 +74,20 @@ impl<'w, S: Mechanics> Judge<'w, S> {
                 ),
             ),
         })
+    }
+
+    /// The contacts whose forces rigid bodies do not determine, said.
+    pub fn forces(&self, forces: &Forces) -> Vec<String> {
+        let open = forces.ranges.iter().filter(|(_, min, max)| max.is_none_or(|max| max - min > 1e-6 * max.abs()));
+        let say = |(name, min, max): &(ContactName, f64, Option<f64>)| {
+            let name = self.name(name);
+            let range = match max {
+                Some(max) => format!("anything from {min:.4} to {max:.4} N"),
+                None => format!("anything from {min:.4} N on"),
+            };
+            format!("the normal force between {name} at the end is not determined: {range} moves the bodies alike")
+        };
+        open.map(say).collect()
     }
 
     /// Two names.

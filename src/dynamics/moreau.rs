@@ -6,7 +6,7 @@
 
 use super::contact::Contact;
 use super::impact::Impact;
-use super::impulses::{FrictionCone, Impulses, Refused, Solved};
+use super::impulses::{Forces, FrictionCone, Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::project::{Held, project};
@@ -20,6 +20,9 @@ const MAX_IMPACTS: usize = 32;
 
 /// Most substeps tried to locate one impact.
 const MAX_TRIALS: usize = 60;
+
+/// Overlap, relative to the smallest body, that counts as held when projections do not undo it.
+const HELD_OVERLAP: f64 = 1e-3;
 
 /// Most pieces that a step is cut into so that nothing is passed through.
 const MAX_PIECES: f64 = 1e6;
@@ -56,9 +59,13 @@ pub(super) struct Moreau<'w, S: Mechanics> {
     touching: f64,
     /// Least distance over which one outline can pass through another unseen (m).
     thinnest: f64,
-    /// Length of the whole step.
+    /// Length of the last substep (s).
+    substep: f64,
+    /// Length of the whole step (s).
     h: f64,
     deepest: f64,
+    /// Energy that projections of this step have added (J).
+    corrected: f64,
 }
 
 impl<'w, S: Mechanics> Moreau<'w, S> {
@@ -84,8 +91,10 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             touches: Vec::new(),
             touching,
             thinnest,
+            substep: 0.0,
             h: 0.0,
             deepest: 0.0,
+            corrected: 0.0,
         }
     }
 
@@ -102,6 +111,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
         self.trial.clone_from(&self.current);
         self.trial.advance(r, 0.5, &self.velocities);
         self.trial.time += r;
+        self.substep = r;
         let reach = self.nearby.reach(&self.velocities, self.h) + self.touching;
         self.nearby.find(&self.trial.poses, reach, &mut self.there);
         self.passed.clear();
@@ -163,11 +173,12 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
     }
 
     /// Takes `trial` for `current`, with its impulses, and puts it back onto the contacts that hold.
-    fn accept(&mut self) {
+    fn accept(&mut self) -> Result<(), Refused> {
         std::mem::swap(&mut self.current, &mut self.trial);
         std::mem::swap(&mut self.here, &mut self.there);
-        let (time, answer) = (self.current.time, &self.impulses.answer);
+        let answer = &self.impulses.answer;
         self.held.clear();
+        let time = self.current.time - self.substep;
         for (contact, impulse) in self.closed.iter().zip(answer) {
             self.held.push((contact.name, impulse[0] > 0.0));
             add_touch(&mut self.touches, contact, *impulse, time);
@@ -175,12 +186,17 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
         for _ in 0..MAX_PROJECTIONS {
             let held: Vec<Held<S>> = self.here.iter().filter_map(|contact| self.to_project(contact)).collect();
             if held.is_empty() {
-                break;
+                return Ok(());
             }
-            self.deepest = held.iter().map(|held| -held.contact.gap).fold(self.deepest, f64::max);
+            let deepest = held.iter().map(|held| -held.contact.gap).fold(0.0, f64::max);
+            self.deepest = self.deepest.max(deepest);
+            let before = self.current.energy(self.world);
             project(self.world, &mut self.current.poses, &held);
+            self.corrected += self.current.energy(self.world) - before;
             self.look();
         }
+        let depth = self.here.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
+        if depth > HELD_OVERLAP * self.nearby.size() { Err(Refused::Overlap { depth }) } else { Ok(()) }
     }
 
     /// A contact to put back: overlapping, or pressed and apart.
@@ -243,7 +259,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.substep(at, total)?;
             let gap = least(&self.there);
             if gap.abs() <= 0.5 * self.touching || trial + 1 == MAX_TRIALS {
-                self.accept();
+                self.accept()?;
                 return Ok(at);
             }
             if gap > 0.0 {
@@ -262,7 +278,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
 
 impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
-        (self.h, self.deepest) = (h, 0.0);
+        (self.h, self.deepest, self.corrected) = (h, 0.0, 0.0);
         self.current.clone_from(state);
         self.impulses.is_suspect = false;
         self.touches.clear();
@@ -287,7 +303,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
             let r = self.seen(left);
             self.substep(r, &mut total)?;
             if self.passed.is_empty() {
-                self.accept();
+                self.accept()?;
                 left -= r;
                 continue;
             }
@@ -307,6 +323,18 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
 
     fn deepest(&self) -> f64 {
         self.deepest
+    }
+
+    fn corrected(&self) -> f64 {
+        self.corrected
+    }
+
+    fn touched_at(&self, name: &ContactName) -> Option<f64> {
+        self.touches.iter().find(|(contact, ..)| contact.name == *name).map(|(.., time)| *time)
+    }
+
+    fn forces(&self, world: &World<S>, state: &State<S>) -> Option<Forces> {
+        self.impulses.forces(world, &state.poses, &self.closed, self.h)
     }
 
     fn is_suspect(&self) -> bool {

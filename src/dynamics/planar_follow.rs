@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn thickness_of_outlines() {
         let around = |i: u32| libm::sincos(f64::from(i) / 32.0 * std::f64::consts::TAU);
-        let round = PlanarShape::Polygon((0..32).map(|i| around(i)).map(|(sine, cosine)| [cosine, sine]).collect());
+        let round = PlanarShape::Polygon((0..32).map(around).map(|(sine, cosine)| [cosine, sine]).collect());
         assert!((half_thickness(&round) - 1.0).abs() < 0.01);
         let corner = [[0.0, 0.0], [3.0, 0.0], [3.0, 0.2], [0.5, 0.2], [0.5, 3.0], [0.0, 3.0]];
         assert_eq!(half_thickness(&PlanarShape::Polygon(corner.into())), 0.1);

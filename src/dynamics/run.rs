@@ -57,6 +57,11 @@ pub(super) fn run<S: Mechanics>(
             log.keep(&state, stepper);
         }
     }
+    if status == Status::Complete
+        && let Some(forces) = stepper.forces(world, &state)
+    {
+        log.notes.extend(judge.forces(&forces));
+    }
     log.finish(world, &state, stepper, status, model)
 }
 
@@ -134,17 +139,17 @@ impl<S: Mechanics> Log<S> {
         }
         self.now.sort_unstable_by_key(|(name, _)| *name);
         if self.now != self.held {
-            self.change(after.time);
+            self.change(after.time, stepper);
         }
         let energy = after.energy(world) + stepper.stored();
-        let work = work(world, before, after, stepper);
+        let work = work(world, before, after, stepper) + stepper.corrected();
         self.energy.work += work;
         self.energy.largest_gain = self.energy.largest_gain.max(energy - self.last_energy - work);
         self.last_energy = energy;
     }
 
     /// Notes which contacts changed between `held` and `now`, and makes `now` what is held.
-    fn change(&mut self, time: f64) {
+    fn change(&mut self, time: f64, stepper: &impl Stepper<S>) {
         let state_in = |list: &[(ContactName, ContactState)], name: &ContactName| {
             list.binary_search_by_key(name, |(name, _)| *name).map_or(ContactState::Open, |at| list[at].1)
         };
@@ -153,9 +158,10 @@ impl<S: Mechanics> Log<S> {
             gone.map(|(name, from)| Event { time, contact: *name, from: *from, to: ContactState::Open }).collect();
         changed.extend(self.now.iter().filter_map(|(name, to)| {
             let from = state_in(&self.held, name);
-            (from != *to).then_some(Event { time, contact: *name, from, to: *to })
+            let since = if from == ContactState::Open { stepper.touched_at(name) } else { None };
+            (from != *to).then_some(Event { time: since.unwrap_or(time), contact: *name, from, to: *to })
         }));
-        changed.sort_by_key(|event| event.contact);
+        changed.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.contact.cmp(&b.contact)));
         self.events.append(&mut changed);
         std::mem::swap(&mut self.held, &mut self.now);
     }
@@ -184,6 +190,10 @@ impl<S: Mechanics> Log<S> {
             }
             Refused::Undecided(_) => ("the contact problem was not decided at a limit", Status::Partial),
             Refused::Broken(_) => ("the velocities grew beyond all bounds", Status::Partial),
+            Refused::Overlap { depth } => {
+                self.notes.push(format!("at {time} s bodies overlap by {depth:.3e} m and nothing moves them apart"));
+                return Status::Inconsistent;
+            }
             Refused::Unsolved => {
                 ("the forces of compliant contacts were not found, however short the step", Status::Partial)
             }
@@ -214,6 +224,9 @@ impl<S: Mechanics> Log<S> {
         }
         let used = Rung::ALL.into_iter().zip(self.rungs).filter(|(_, count)| *count > 0);
         self.solver.rungs = used.map(|(rung, count)| (rung.name(), count)).collect();
+        if self.solver.subdivided > 0 {
+            self.notes.push(format!("{} times a step was halved to be solved", self.solver.subdivided));
+        }
         if self.continued > 0 {
             self.solver.rungs.push(("continued", self.continued));
         }
@@ -259,7 +272,11 @@ fn work<S: Mechanics>(world: &World<S>, before: &State<S>, after: &State<S>, ste
         }
     }
     for (contact, impulse) in stepper.touches() {
-        work += (0..S::TANGENTS).map(|i| impulse[i + 1] * contact.surface[i]).sum::<f64>();
+        // the velocity of the surface itself: that of the contact may hold terms of the scheme
+        if let Some(fixed) = contact.name.other.checked_sub(world.bodies.len()) {
+            let surface = &world.fixed[fixed].surface_velocity;
+            work += (0..S::TANGENTS).map(|i| impulse[i + 1] * surface[i]).sum::<f64>();
+        }
         for (body, rows) in contact.sides().filter(|(body, _)| world.bodies[*body].is_kinematic) {
             let push = |row: usize| impulse[row] * dot(&rows.as_ref()[row], &after.velocities[body]);
             work -= (0..=S::TANGENTS).map(push).sum::<f64>();

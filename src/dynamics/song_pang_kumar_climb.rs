@@ -9,12 +9,14 @@ use crate::model::World;
 
 /// Shortest step that predicts the next longer one: h / 2⁸.
 const PREDICTORS: i32 = 8;
+/// Factor of friction beyond which nothing slips.
+const ROUGH: f64 = 1e6;
 
 /// How a step was solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Climb {
     pub work: Work,
-    /// Whether solutions of shorter steps had to lead the way.
+    /// Whether solutions of other problems had to lead the way.
     pub continued: bool,
 }
 
@@ -22,7 +24,8 @@ impl<S: Mechanics> Newton<S> {
     /// The velocities after a step of `h` from `base`, the joints as found at the poses `found`; left in
     /// [`Newton::velocities`].
     ///
-    /// The guesses: what the forces of before would do; no forces; solutions of steps of h/2, h/4, ...
+    /// The guesses: what the forces of before would do; no forces; solutions without slip and without
+    /// friction; solutions of steps of h/2, h/4, ...
     pub fn climb(
         &mut self,
         world: &World<S>,
@@ -33,12 +36,12 @@ impl<S: Mechanics> Newton<S> {
     ) -> Option<Climb> {
         let mut free = std::mem::take(&mut self.free);
         let mut iterations = 0;
-        let mut solve = |newton: &mut Self, scale: i32, guess: Guess| {
-            let h = h * f64::from(scale).exp2();
+        let mut solve = |newton: &mut Self, scale: i32, friction: f64, guess: Guess| {
+            let h = libm::scalbn(h, scale);
             base.free(world, h, &mut free);
             for joint in &mut newton.joints {
                 if let Some(law) = Law::new(&joint.start.material, h) {
-                    joint.law = law;
+                    joint.law = law.with_friction(friction);
                 }
             }
             match guess {
@@ -51,16 +54,21 @@ impl<S: Mechanics> Newton<S> {
             work
         };
         let is_pushed = self.joints.iter().any(|joint| joint.force.lambda[0] > 0.0);
-        let mut found = is_pushed.then(|| solve(self, 0, Guess::Pushed)).flatten();
+        let mut found = is_pushed.then(|| solve(self, 0, 1.0, Guess::Pushed)).flatten();
         if found.is_none() {
-            found = solve(self, 0, Guess::Free);
+            found = solve(self, 0, 1.0, Guess::Free);
         }
         let continued = found.is_none();
-        if continued
-            && let Some(start) = (1..=PREDICTORS).find(|halvings| solve(self, -halvings, Guess::Free).is_some())
+        for friction in [ROUGH, 0.0] {
+            if found.is_none() && solve(self, 0, friction, Guess::Free).is_some() {
+                found = solve(self, 0, 1.0, Guess::Kept);
+            }
+        }
+        if found.is_none()
+            && let Some(start) = (1..=PREDICTORS).find(|halvings| solve(self, -halvings, 1.0, Guess::Free).is_some())
         {
             for halvings in (0..start).rev() {
-                found = solve(self, -halvings, Guess::Kept);
+                found = solve(self, -halvings, 1.0, Guess::Kept);
                 if found.is_none() {
                     break;
                 }

@@ -36,6 +36,11 @@ impl Law {
         Some(Self { k, stiffness, drag, friction: material.friction, gamma, h })
     }
 
+    /// The same with this times the friction.
+    pub fn with_friction(self, factor: f64) -> Self {
+        Self { friction: factor * self.friction, ..self }
+    }
+
     /// The force at gap Ψ(q') and slip W_t ν' (m/s, zeros where there is no o), from the deformation δ of before.
     ///
     /// Along n: 0 ≤ λ ⊥ δ' + Ψ ≥ 0 with λ = k δ' - (C/h) δ gives λ_n = max(0, -k Ψ - (C/h) δ_n). Along t and o no
@@ -48,14 +53,14 @@ impl Law {
         let mut force = Force::default();
         let Self { k: [k_n, k_t], stiffness, drag, friction: mu, gamma, h } = *self;
         let normal = -k_n * gap - drag[0] * delta[0];
-        if !(normal > 0.0) {
+        if normal.is_nan() || normal <= 0.0 {
             return force;
         }
         force.lambda[0] = normal;
         force.slope[0][0] = h * k_n;
         force.size[0] = k_n * (gap.abs() + span) + drag[0] * delta[0].abs();
         let squared = mu * normal * (mu * normal + 2.0 * gamma);
-        if !(squared > 0.0) {
+        if squared.is_nan() || squared <= 0.0 {
             return force;
         }
         let radius = squared.sqrt();
@@ -63,8 +68,8 @@ impl Law {
         let length = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
         if length <= radius {
             let size = stiffness[1] * (delta[1].abs() + delta[2].abs()) + h * k_t * speed;
-            for i in 0..2 {
-                force.lambda[i + 1] = trial[i];
+            for (i, trial) in trial.into_iter().enumerate() {
+                force.lambda[i + 1] = trial;
                 force.slope[i + 1][i + 1] = h * k_t;
                 force.size[i + 1] = size;
             }

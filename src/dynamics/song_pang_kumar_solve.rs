@@ -25,7 +25,7 @@ impl System {
         for column in 0..n {
             let size = |row: usize| self.matrix[row * n + column].abs();
             let pivot = (column + 1..n).fold(column, |best, row| if size(row) > size(best) { row } else { best });
-            if !(size(pivot) > 0.0) {
+            if size(pivot).is_nan() || size(pivot) == 0.0 {
                 return false;
             }
             if pivot != column {

@@ -1,11 +1,12 @@
 //! What the run asks of a time-stepping scheme.
 
 use super::contact::Contact;
-use super::impulses::{Refused, Solved};
+use super::impulses::{Forces, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::run::contact_state;
 use super::state::State;
 use crate::answer::{ContactName, ContactState};
+use crate::model::World;
 
 /// A time-stepping scheme.
 pub(super) trait Stepper<S: Mechanics> {
@@ -21,6 +22,21 @@ pub(super) trait Stepper<S: Mechanics> {
     /// Whether the forces of the last step may not exist or not be unique, by the sign of A_nn - μ |A_nt| at a contact.
     fn is_suspect(&self) -> bool {
         false
+    }
+
+    /// Energy that undoing overlaps added in the last step (J).
+    fn corrected(&self) -> f64 {
+        0.0
+    }
+
+    /// When the contact began to press in the last step (s), where the scheme knows better than the step.
+    fn touched_at(&self, _: &ContactName) -> Option<f64> {
+        None
+    }
+
+    /// All forces that the last step allows, where contacts are rigid and few enough.
+    fn forces(&self, _: &World<S>, _: &State<S>) -> Option<Forces> {
+        None
     }
 
     /// Energy of local deformation after the last step (J).

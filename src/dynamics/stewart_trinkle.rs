@@ -1,12 +1,15 @@
 //! Stewart and Trinkle's step, equations (10)-(13): semi-implicit, gaps closed at the end of the step.
 
 use super::contact::Contact;
-use super::impulses::{FrictionCone, Impulses, Refused, Solved};
+use super::impulses::{Forces, FrictionCone, Impulses, Refused, Solved};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::state::State;
 use super::stepper::Stepper;
 use crate::model::World;
+
+/// Overlaps up to so many times what counts as touching are none where they make a step impossible.
+const SLIGHT_OVERLAP: f64 = 100.0;
 
 /// Steps a world by (10)-(13); keeps its memory between steps.
 #[derive(Debug)]
@@ -23,6 +26,10 @@ pub(super) struct StewartTrinkle<'w, S: Mechanics> {
     free: Vec<S::Velocity>,
     velocities: Vec<S::Velocity>,
     recovery_speed: f64,
+    /// Length of the step (s).
+    h: f64,
+    /// Whether overlaps too small to matter count as none in this step.
+    is_lenient: bool,
     /// A gap up to this counts as touching (m).
     touching: f64,
 }
@@ -43,6 +50,8 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
             free: Vec::new(),
             velocities: Vec::new(),
             recovery_speed,
+            h: 0.0,
+            is_lenient: false,
         }
     }
 
@@ -50,7 +59,11 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
     fn press(&mut self, poses: &[S::Pose], h: f64) -> Result<Solved, Refused> {
         // φ/h of (13), overlaps undone no faster than allowed
         let recovery_speed = self.recovery_speed;
-        let gap_speed = |contact: &Contact<S>| (contact.gap / h).max(-recovery_speed);
+        let slight = if self.is_lenient { SLIGHT_OVERLAP * self.touching } else { 0.0 };
+        let gap_speed = |contact: &Contact<S>| match contact.gap {
+            gap if gap < 0.0 && gap > -slight => 0.0,
+            gap => (gap / h).max(-recovery_speed),
+        };
         self.velocities.clone_from(&self.free);
         // what was pressed and still touches is likely to be again: the last basis then fits at once
         let (last, touching) = (&self.pressed, self.touching);
@@ -91,11 +104,21 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
 impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
         self.impulses.is_suspect = false;
+        self.h = h;
         state.free(self.world, h, &mut self.free);
         let mut reach = self.nearby.reach(&state.velocities, h).max(self.nearby.reach(&self.free, h));
         loop {
             self.nearby.find(&state.poses, reach, &mut self.contacts);
-            let solved = self.press(&state.poses, h)?;
+            self.is_lenient = false;
+            let solved = match self.press(&state.poses, h) {
+                // a body squeezed by rounding in a snug slot has no admissible impulses; one squeezed by more has none
+                // that matter
+                Err(Refused::NoSolution(_)) => {
+                    self.is_lenient = true;
+                    self.press(&state.poses, h)?
+                }
+                pressed => pressed?,
+            };
             // impulses may have made a body faster than the reach of the contacts allows for
             let needed = self.nearby.reach(&self.velocities, h);
             if needed <= reach {
@@ -113,6 +136,10 @@ impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
 
     fn deepest(&self) -> f64 {
         self.contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max)
+    }
+
+    fn forces(&self, world: &World<S>, state: &State<S>) -> Option<Forces> {
+        self.impulses.forces(world, &state.poses, &self.pressed, self.h)
     }
 
     fn is_suspect(&self) -> bool {

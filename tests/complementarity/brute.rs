@@ -2,7 +2,7 @@
 
 use num_traits::{Signed as _, Zero as _};
 use partplan::complementarity::ExactLcp;
-use partplan::exact::{Q, ratio};
+use partplan::exact::{Q, ratio, to_f64};
 
 pub fn lcp(m: &[&[i64]], q: &[i64]) -> ExactLcp {
     let row = |row: &[i64]| row.iter().map(|entry| ratio(*entry, 1)).collect::<Vec<Q>>();
@@ -71,4 +71,9 @@ fn determinant(mut rows: Vec<Vec<Q>>) -> Q {
         }
     }
     value
+}
+
+/// The problem in doubles, row after row; only for entries that are doubles or nearly so.
+pub fn in_doubles(lcp: &ExactLcp) -> (Vec<f64>, Vec<f64>) {
+    (lcp.m().iter().flatten().map(to_f64).collect(), lcp.q().iter().map(to_f64).collect())
 }

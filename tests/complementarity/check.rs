@@ -1,7 +1,7 @@
 //! Checks of answers that share no code with the solver.
 
 use crate::contacts::Problem;
-use num_traits::{Signed as _, Zero as _};
+use num_traits::Signed as _;
 use partplan::complementarity::{ExactLcp, Proof};
 use partplan::exact::Q;
 
@@ -52,9 +52,9 @@ pub fn violation(problem: &Problem, z: &[f64]) -> f64 {
     let impulses = contacts * (1 + n_l);
     let row = |index: usize| &problem.jacobian[index * velocities..(index + 1) * velocities];
     let mut change = vec![Sum::default(); velocities];
-    for impulse in 0..impulses {
-        for (axis, sum) in change.iter_mut().enumerate() {
-            sum.add_product(row(impulse)[axis], z[impulse]);
+    for (impulse, size) in z[..impulses].iter().enumerate() {
+        for (sum, entry) in change.iter_mut().zip(row(impulse)) {
+            sum.add_product(*entry, *size);
         }
     }
     let mut worst = 0.0_f64;
@@ -66,12 +66,12 @@ pub fn violation(problem: &Problem, z: &[f64]) -> f64 {
     for impulse in 0..impulses {
         let mut w = Sum::default();
         w.add(problem.q[impulse]);
-        for axis in 0..velocities {
-            // the row times the inverse mass, with its error, times the impulse on this axis
-            let (weight, error) = exact_product(row(impulse)[axis], problem.inverse_mass[axis]);
-            w.add_product(weight, change[axis].high);
-            w.add(weight * change[axis].low + error * change[axis].high);
-            mobility[impulse] += weight * row(impulse)[axis];
+        for ((entry, inverse), change) in row(impulse).iter().zip(&problem.inverse_mass).zip(&change) {
+            // the entry times the inverse mass, with its error, times the impulse on this axis
+            let (weight, error) = exact_product(*entry, *inverse);
+            w.add_product(weight, change.high);
+            w.add(weight * change.low + error * change.high);
+            mobility[impulse] += weight * entry;
         }
         if impulse >= contacts {
             w.add(z[impulses + (impulse - contacts) / n_l]);
@@ -111,10 +111,4 @@ pub fn proof_holds(lcp: &ExactLcp, proof: &Proof) -> bool {
             apart && choices == 1 << n && cases.iter().all(|c| holds(&c.zero_z, &c.zero_w, &c.multipliers))
         }
     }
-}
-
-/// The problem in doubles, row after row; only for entries that are doubles or nearly so.
-pub fn in_doubles(lcp: &ExactLcp) -> (Vec<f64>, Vec<f64>) {
-    let near = |value: &Q| if value.is_zero() { 0.0 } else { partplan::exact::to_f64(value) };
-    (lcp.m().iter().flatten().map(near).collect(), lcp.q().iter().map(near).collect())
 }

@@ -1,6 +1,7 @@
 //! The 17 instances with exact data, known solutions and certificates.
 
-use crate::check::{in_doubles, proof_holds};
+use crate::brute::in_doubles;
+use crate::check::proof_holds;
 use num_traits::{Signed as _, Zero as _};
 use partplan::complementarity::{
     Count, Enumeration, ExactLcp, Images, Lcp, Limits, Proof, Rung, Solver, Verdict, enumerate,

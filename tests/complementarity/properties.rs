@@ -1,7 +1,7 @@
 //! Random small problems against brute force.
 
-use crate::brute::{basic_solutions, is_p_matrix};
-use crate::check::{in_doubles, proof_holds};
+use crate::brute::{basic_solutions, in_doubles, is_p_matrix};
+use crate::check::proof_holds;
 use num_traits::One as _;
 use partplan::complementarity::{Basis, Count, Enumeration, ExactLcp, Lcp, Limits, Rung, Solver, Verdict, enumerate};
 use partplan::exact::{Q, Z, ratio, to_f64};

@@ -41,7 +41,7 @@ fn runs_end_where_published() {
                 for (i, (found, wanted)) in found.iter().zip(list(wanted)).enumerate() {
                     compared += 1;
                     let off = (found - number(wanted)).abs();
-                    if !(off <= tol) {
+                    if off.is_nan() || off > tol {
                         faults.push(format!("{} h {h}: {name}[{i}] {found} for {wanted}, off {off:e}", scene.name));
                     }
                 }
@@ -50,6 +50,7 @@ fn runs_end_where_published() {
             if changes != published_changes(row) {
                 faults.push(format!("{} h {h}: events {changes:?} for {:?}", scene.name, published_changes(row)));
             }
+            assert_eq!(found.steps as u64, row["steps"].as_u64().unwrap());
             assert_eq!(found.status, Status::Complete, "{}: {:?}", scene.name, found.notes);
             assert!(found.residual < 1e-13, "{}: residual {:e}", scene.name, found.residual);
             assert!(found.gain < 1e-15, "{}: gains {:e} J", scene.name, found.gain);

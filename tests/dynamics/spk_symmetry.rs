@@ -78,9 +78,9 @@ proptest! {
             let a = run(&world, 2e-4, second_order).last;
             let b = run(&other, 2e-4 * time, second_order).last;
             let scales = [length, length, 1.0];
-            for i in 0..3 {
-                prop_assert!((a.poses[0][i] - b.poses[0][i] / scales[i]).abs() < 1e-11);
-                prop_assert!((a.velocities[0][i] - b.velocities[0][i] * time / scales[i]).abs() < 1e-8);
+            for (i, scale) in scales.into_iter().enumerate() {
+                prop_assert!((a.poses[0][i] - b.poses[0][i] / scale).abs() < 1e-11);
+                prop_assert!((a.velocities[0][i] - b.velocities[0][i] * time / scale).abs() < 1e-8);
             }
         }
     }

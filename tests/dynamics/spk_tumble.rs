@@ -1,6 +1,6 @@
 //! Compliant parts that tumble among polygons and each other: features change under load.
 
-use crate::spk_accuracy::run;
+use crate::spk_accuracy::{planar, run};
 use crate::spk_robust::{body, draw, material, rectangle, world};
 use partplan::answer::Status;
 use partplan::model::{Obstacle, Planar, PlanarShape, World};
@@ -45,6 +45,26 @@ fn features_change_without_harm() {
         }
     }
     assert!(problems > 40_000 && pivots < 3 * problems, "{problems} problems, {pivots} iterations");
+}
+
+/// Contacts beyond the reach of a step cannot close: considering every pair changes nothing.
+#[test]
+fn considering_every_pair_changes_nothing() {
+    for seed in [1, 2] {
+        let near = World { duration: 0.35, ..funnel(seed) };
+        // wide enough for what comes close, not so wide that a vertex meets the far side of a wall
+        let wide = World { margin: Some(0.01), ..near.clone() };
+        let [a, b] = [&near, &wide].map(|world| run(world, 2e-4, false).last.poses);
+        for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
+            assert!((a - b).abs() < 1e-9, "seed {seed}: {a} and {b}");
+        }
+    }
+    let near = World { duration: 0.3, ..planar("spk_peg_mu1") };
+    let every = World { margin: Some(10.0), ..near.clone() };
+    let [a, b] = [&near, &every].map(|world| run(world, 2e-4, false).last.poses[0]);
+    for (a, b) in a.iter().zip(b) {
+        assert!((a - b).abs() < 1e-13, "{a} and {b}");
+    }
 }
 
 /// The same run twice gives the same bits.

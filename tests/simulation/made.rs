@@ -33,6 +33,7 @@ pub fn run<S: Space>(frames: Vec<Frame<S>>, events: Vec<Event>) -> Simulation<S>
         last,
         frames,
         events,
+        deformations: Vec::new(),
         energy: Energy { start: 0.3924, end: 0.0490, work: 0.0, dissipated: 0.3434, largest_gain: 2e-17 },
         penetration: (3.1e-4, 0.1725),
         solver: SolverStatistics {
@@ -42,6 +43,7 @@ pub fn run<S: Space>(frames: Vec<Frame<S>>, events: Vec<Event>) -> Simulation<S>
             rungs: vec![("lemke", 1_230), ("enumeration", 4)],
             residual: 3.2e-14,
             impacts: 0,
+            fastest_impact: 0.0,
             subdivided: 1,
         },
         model: ModelChoice {

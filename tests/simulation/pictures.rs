@@ -46,7 +46,14 @@ fn about_ten_poses_are_drawn_between_start_and_end() {
     let svg = drawn("peg drop", &peg());
     let poses = svg.matches("fill-opacity=\"0.12\"").count() + svg.matches("fill-opacity=\"0.35\"").count();
     assert!((8..=12).contains(&poses), "{poses} poses");
-    for said in ["start, 0 s", "end, 1 s", "0.05 m", "path of a center of mass", "peg, light at first", "\nfixed\n"] {
+    for said in [
+        "start, 0 s",
+        "end, 1 s",
+        "0.05 m",
+        "path of a center of mass",
+        "peg, from light at 0 s to dark at 1 s",
+        "\nfixed\n",
+    ] {
         assert!(svg.contains(said), "{said:?}");
     }
 }
@@ -91,6 +98,21 @@ fn texts_are_not_over_each_other() {
             }
         }
     }
+}
+
+/// So many bodies have no room for ten poses and their times.
+#[test]
+fn crowds_are_drawn_at_the_start_and_at_the_end() {
+    let (mut world, mut answer) = peg();
+    world.bodies = (0..40).map(|_| world.bodies[0].clone()).collect();
+    for frame in &mut answer.frames {
+        frame.poses = (0..40).map(|k| [frame.poses[0][0] + 0.1 * f64::from(k), frame.poses[0][1], 0.0]).collect();
+        frame.velocities = vec![frame.velocities[0]; 40];
+    }
+    answer.last = answer.frames[answer.frames.len() - 1].clone();
+    let svg = drawn("crowd", &(world, answer));
+    assert_eq!((svg.matches("fill-opacity=\"0.35\"").count(), svg.contains("start, ")), (40, false));
+    assert!(svg.contains("bodies, from light at 0 s to dark at 1 s"));
 }
 
 #[test]

@@ -70,7 +70,8 @@ fn names_do_not_reach_the_terminal_as_they_are() {
 
 #[test]
 fn the_document_has_what_the_format_promises() {
-    let (world, answer) = peg();
+    let (world, mut answer) = peg();
+    answer.deformations = vec![(answer.events[0].contact, [1e-5, -2e-6, 0.0])];
     let run = Run { name: "peg drop", world: &world, warnings: &["odd".to_owned()] };
     let text = report::json::document(&report::json::simulation(&run, &answer));
     let value: Value = serde_json::from_str(&text).unwrap();
@@ -92,6 +93,8 @@ fn the_document_has_what_the_format_promises() {
     assert_eq!(event["pair"], json!([{"body": 0, "feature": ["vertex", 0]}, {"fixed": 0, "feature": ["surface", 0]}]));
     assert_eq!(result["events"].as_array().map(Vec::len), Some(answer.events.len()));
     assert_eq!(result["energy"]["dissipated"], json!(answer.energy.dissipated));
+    let deformation = &result["deformations"][0];
+    assert_eq!((&deformation["contact"], &deformation["deformation"]), (&event["contact"], &json!([1e-5, -2e-6, 0.0])));
     assert_eq!(result["penetration"], json!({ "depth": 3.1e-4, "time": 0.1725 }));
     assert_eq!(result["solver"]["rungs"][1], json!({ "rung": "enumeration", "problems": 4 }));
     assert_eq!(result["model"]["chosen"], "spk");

@@ -35,14 +35,17 @@ function posesAt(time) {
     return pose;
   });
 }
-function frameAt(time) {
-  let low = 0, high = count - 1;
+// the last of increasing times that is not after one, or -1
+function lastUpTo(list, time) {
+  let low = -1, high = list.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (times[middle] <= time) low = middle; else high = middle - 1;
+    if (list[middle] <= time) low = middle; else high = middle - 1;
   }
   return low;
 }
+const frameAt = (time) => Math.max(0, lastUpTo(times, time));
+const changes = run.events.map((event) => event.time);
 
 // how far a body reaches from the origin of its frame
 function reach(body) {
@@ -66,8 +69,24 @@ function bounds(view) {
     });
   }));
   if (!(low[0] < high[0] && low[1] < high[1])) return [[-1, -1], [1, 1]];
-  const spare = 0.08 * Math.max(high[0] - low[0], high[1] - low[1]);
-  return [low.map((x) => x - spare), high.map((x) => x + spare)];
+  const size = Math.max(high[0] - low[0], high[1] - low[1]);
+  // what is fixed is shown as far as it is near
+  const least = low.map((x) => x - 0.15 * size), most = high.map((x) => x + 0.15 * size);
+  run.fixed.forEach((fixed) => fixed.pieces.forEach((piece) => extent(piece).forEach((point) => {
+    [view.right, view.up].forEach((axis, i) => {
+      low[i] = Math.min(low[i], Math.max(point[axis], least[i]));
+      high[i] = Math.max(high[i], Math.min(point[axis], most[i]));
+    });
+  })));
+  return [low.map((x) => x - 0.08 * size), high.map((x) => x + 0.08 * size)];
+}
+// points that a view of a piece must hold
+function extent(piece) {
+  const round = piece.disc || piece.sphere;
+  if (piece.polygon) return piece.polygon;
+  if (round) return [1, -1].map((sign) => round.slice(0, dim).map((x) => x + sign * round[dim]));
+  if (piece.box) return [piece.box, piece.box.map((x) => -x)];
+  return [];
 }
 
 const stages = run.views.map((view) => {
@@ -178,12 +197,17 @@ function drawPieces(pen, pieces, pose, toPage, scale, view, far) {
 let largest = 0;
 run.touches.forEach((list) => list.forEach((touch) => (largest = Math.max(largest, Math.hypot(...touch.impulse)))));
 
-function drawStage(stage, time) {
+// pixels a metre, the same in all views
+function commonScale() {
+  const tallest = stages.length > 1 ? 340 : 520;
+  const scales = stages.map(({ canvas, bounds: [low, high] }) =>
+    Math.min(canvas.clientWidth / (high[0] - low[0]), tallest / (high[1] - low[1])));
+  return Math.min(...scales);
+}
+
+function drawStage(stage, time, scale) {
   const [low, high] = stage.bounds, size = [high[0] - low[0], high[1] - low[1]];
-  const room = stage.canvas.clientWidth;
-  const height = Math.max(160, Math.min(stages.length > 1 ? 340 : 520, (room * size[1]) / size[0]));
-  const [pen, width] = fit(stage.canvas, height), view = stage.view;
-  const scale = Math.min(width / size[0], height / size[1]);
+  const [pen, width, height] = fit(stage.canvas, Math.max(120, size[1] * scale)), view = stage.view;
   const toPage = ([x, y]) => [
     width / 2 + (x - (low[0] + high[0]) / 2) * scale,
     height / 2 - (y - (low[1] + high[1]) / 2) * scale,
@@ -197,7 +221,7 @@ function drawStage(stage, time) {
   if (element("paths").checked) run.bodies.forEach((body, number) => {
     pen.beginPath();
     pen.strokeStyle = "#9aa1a8"; pen.lineWidth = 1; pen.setLineDash([4, 3]);
-    for (let k = 0; k < count; k++) {
+    for (let k = 0; k < count; k += Math.ceil(count / 600)) {
       const at = toPage(seen(run.poses[k][number]));
       if (k) pen.lineTo(at[0], at[1]); else pen.moveTo(at[0], at[1]);
     }
@@ -223,18 +247,20 @@ function drawStage(stage, time) {
   }
 }
 
+const lowest = run.energy.reduce((a, b) => Math.min(a, b), Infinity);
+const highest = run.energy.reduce((a, b) => Math.max(a, b), -Infinity);
 function drawEnergy(time) {
   const [pen, width, height] = fit(element("energy"), 90);
-  const low = Math.min(...run.energy), high = Math.max(...run.energy), span = high - low || 1;
+  const span = highest - lowest || 1;
   const end = times[count - 1] - times[0] || 1;
-  const at = (k) => [60 + ((width - 72) * (times[k] - times[0])) / end, 10 + (height - 22) * (1 - (run.energy[k] - low) / span)];
+  const at = (k) => [60 + ((width - 72) * (times[k] - times[0])) / end, 10 + (height - 22) * (1 - (run.energy[k] - lowest) / span)];
   pen.strokeStyle = "#0072b2"; pen.lineWidth = 1.5;
   pen.beginPath();
   for (let k = 0; k < count; k++) { const [x, y] = at(k); if (k) pen.lineTo(x, y); else pen.moveTo(x, y); }
   pen.stroke();
   pen.fillStyle = "#6b7177"; pen.font = "11px Helvetica, Arial, sans-serif"; pen.textAlign = "right";
-  pen.fillText(high.toPrecision(3) + " J", 54, 14);
-  pen.fillText(low.toPrecision(3) + " J", 54, height - 8);
+  pen.fillText(highest.toPrecision(3) + " J", 54, 14);
+  pen.fillText(lowest.toPrecision(3) + " J", 54, height - 8);
   const x = 60 + ((width - 72) * (time - times[0])) / end;
   pen.strokeStyle = "#d55e00"; pen.lineWidth = 1;
   pen.beginPath(); pen.moveTo(x, 4); pen.lineTo(x, height - 4); pen.stroke();
@@ -243,10 +269,11 @@ function drawEnergy(time) {
 let now = times[0] || 0, isPlaying = false, before = null;
 function show() {
   if (!count) { element("now").textContent = "There are no frames to show."; return; }
-  stages.forEach((stage) => drawStage(stage, now));
+  const scale = commonScale();
+  stages.forEach((stage) => drawStage(stage, now, scale));
   drawEnergy(now);
-  const latest = run.events.filter((event) => event.time <= now).slice(-1)[0];
-  const energy = run.energy[frameAt(now)];
+  const change = lastUpTo(changes, now), energy = run.energy[frameAt(now)];
+  const latest = change < 0 ? null : run.events[change];
   element("now").textContent = `${now.toFixed(4)} s, energy ${energy.toPrecision(5)} J` +
     (latest ? `; last change at ${latest.time.toPrecision(4)} s: ${latest.text}` : "");
   element("time").value = String(now);

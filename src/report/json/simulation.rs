@@ -23,6 +23,8 @@ pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Value {
         }),
     );
     result.insert("events".into(), answer.events.iter().map(|event| change(run, event)).collect());
+    let deformation = |(contact, parts): &(ContactName, [f64; 3])| json!({ "contact": name(run, contact), "deformation": parts, "pair": pair(run, contact) });
+    result.insert("deformations".into(), answer.deformations.iter().map(deformation).collect());
     result.insert("energy".into(), energy(&answer.energy));
     let (depth, time) = answer.penetration;
     result.insert("penetration".into(), json!({ "depth": depth, "time": time }));
@@ -37,6 +39,7 @@ pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Value {
             "rungs": rungs.collect::<Value>(),
             "residual": solver.residual,
             "impacts": solver.impacts,
+            "fastest_impact": solver.fastest_impact,
             "subdivided": solver.subdivided,
         }),
     );
@@ -84,11 +87,16 @@ fn status(status: Status) -> &'static str {
 fn change<S: Shown>(run: &Run<S>, event: &Event) -> Value {
     json!({
         "time": event.time,
-        "contact": contact(run, &event.contact, str::to_owned),
+        "contact": name(run, &event.contact),
         "from": state(event.from),
         "to": state(event.to),
         "pair": pair(run, &event.contact),
     })
+}
+
+/// A contact by the names of its parties as they are.
+fn name<S: Shown>(run: &Run<S>, name: &ContactName) -> String {
+    contact(run, name, str::to_owned)
 }
 
 /// The pair by numbers: `body`, and the number of either another `body` or what is `fixed`.

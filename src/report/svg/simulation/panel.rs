@@ -13,9 +13,11 @@ use crate::report::motion::{Outline, Run, Shown, View};
 
 const FIXED: &str = "#eceff1";
 const HATCH: &str = "#c2c8ce";
-/// Bodies whose times are labelled.
+/// Times are written beside so many bodies, not more.
 const MOST_TIMED: usize = 3;
 const COM: f64 = 5.0;
+/// Least distance of two places whose times are written, in pixels.
+const APART: f64 = 7.0;
 /// Below a view, for its scale.
 pub(super) const FOOT: f64 = 22.0;
 
@@ -161,10 +163,11 @@ impl<'a> Panel<'a> {
         for center in centers.iter().skip(1) {
             canvas.circle(*center, 1.8, Pen::fill(INK, 0.7));
         }
-        canvas.circle(start, 3.6, Pen::fill("#ffffff", 1.0).outlined(INK, 1.4));
-        quartered(canvas, end, COM);
+        let size = if self.names.len() > 8 { 0.6 } else { 1.0 };
+        canvas.circle(start, 3.6 * size, Pen::fill("#ffffff", 1.0).outlined(INK, 1.4 * size));
+        quartered(canvas, end, COM * size);
         labels.avoid(&centers);
-        if number >= MOST_TIMED {
+        if self.names.len() > MOST_TIMED {
             return;
         }
         let time = |index: usize| format!("{} s", near(self.times.get(index).copied().unwrap_or(0.0), 3));
@@ -178,8 +181,13 @@ impl<'a> Panel<'a> {
         if centers.len() > 1 {
             labels.want(end, aside, 9.0, INK, true, format!("{whose}end, {}", time(centers.len() - 1)));
         }
+        // what is at the place of another needs no second time
+        let mut named = vec![start, end];
         for (index, center) in centers.iter().enumerate().skip(1).take(centers.len().saturating_sub(2)) {
-            labels.offer_near(*center, aside, 6.0, MUTED, time(index));
+            if named.iter().all(|other| center.minus(*other).length() > APART) {
+                labels.offer_near(*center, aside, 6.0, MUTED, time(index));
+                named.push(*center);
+            }
         }
     }
 }

@@ -3,8 +3,16 @@
 use crate::answer::Frame;
 use crate::report::motion::{Outline, Run, Shown};
 
-/// Poses of each body that are drawn.
-const COUNT: usize = 10;
+/// Poses of each body that are drawn: fewer of many bodies.
+fn poses_of_each(n_bodies: usize) -> usize {
+    match n_bodies {
+        0..=3 => 10,
+        4..=8 => 5,
+        9..=24 => 3,
+        _ => 2,
+    }
+}
+
 /// Points of a path.
 const MOST_POINTS: usize = 400;
 
@@ -27,8 +35,9 @@ impl<'a, S: Shown> Snapshots<'a, S> {
             way.push(way[way.len() - 1] + longest.fold(0.0, f64::max));
         }
         let total = way[way.len() - 1];
-        let mut drawn: Vec<usize> = (0..COUNT)
-            .map(|k| total * k as f64 / (COUNT - 1) as f64)
+        let count = poses_of_each(sizes.len());
+        let mut drawn: Vec<usize> = (0..count)
+            .map(|k| total * k as f64 / (count - 1) as f64)
             .map(|goal| way.iter().position(|way| *way >= goal).unwrap_or(way.len() - 1))
             .collect();
         drawn.push(frames.len().saturating_sub(1));
