@@ -7,6 +7,7 @@
 #include <SiconosKernel.hpp>
 #include <SolverOptions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -207,12 +208,8 @@ class World {
                                                              dimension);
         dimension == 3 ? spatial(scene, law) : planar(scene, law);
         auto problem = std::make_shared<FrictionContact>(dimension, solver);
-        problem->numericsSolverOptions()->iparam[SICONOS_IPARAM_MAX_ITER] = 10000;
-        problem->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = 1e-10;
         simulation = std::make_shared<TimeStepping>(system, std::make_shared<TimeDiscretisation>(0.0, h),
                                                     std::make_shared<MoreauJeanOSI>(0.5), problem);
-        simulation->setNewtonTolerance(1e-10);
-        simulation->setNewtonMaxIteration(20);
         simulation->setWarnOnNonConvergence(false);
         // an unconverged solution is used as it is: the error of the run judges it
         simulation->setCheckSolverFunction([](int, Simulation*) {});
@@ -245,14 +242,14 @@ static double cpu_seconds() {
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// The way of the first body is kept in the first run, and the median CPU time taken of up to five; one is enough if it
-// is long.
+// The CPU time of the run that others on the machine disturb least, of so many that they take a few hundredths of a
+// second; one is enough if it is long.
 static void measure(const json& scene, const std::string& peer, int solver, double h) {
     const auto steps = std::size_t(std::llround(scene["T"].get<double>() / h));
     json row = {{"peer", peer}, {"scene", scene["name"]}, {"h", h}, {"steps", steps}, {"way", json::array()}};
     std::vector<double> times;
     double total = 0;
-    while (times.size() < 5 && total < 0.2) {
+    while (total < 0.03 ? times.size() < 100 : times.size() < 5 && total < 0.2) {
         World world(scene, solver, h);
         const double start = cpu_seconds();
         for (std::size_t i = 0; i < steps; ++i) world.step();
@@ -261,8 +258,7 @@ static void measure(const json& scene, const std::string& peer, int solver, doub
         row["poses"] = world.poses();
         row["velocities"] = world.velocities();
     }
-    std::sort(times.begin(), times.end());
-    row["cpu"] = times[times.size() / 2];
+    row["cpu"] = *std::min_element(times.begin(), times.end());
     if (scene["name"] == "rocking_block" || scene["name"] == "popout_1mm") {
         World world(scene, solver, h);
         for (std::size_t i = 0; i < steps; ++i) {

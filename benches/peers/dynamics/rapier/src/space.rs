@@ -18,9 +18,8 @@ impl World {
         world.integration_parameters.dt = h;
         world.integration_parameters.num_solver_iterations = setting.iterations;
         world.integration_parameters.contact_recycling = setting.recycling;
-        let surface = |shape: ColliderBuilder| {
-            shape.friction(number(&scene["mu"])).restitution(number(&scene["e"])).density(0.0)
-        };
+        let surface =
+            |shape: ColliderBuilder| shape.friction(number(&scene["mu"])).restitution(number(&scene["e"])).density(0.0);
         world.colliders.insert(surface(ColliderBuilder::new(SharedShape::halfspace(Vector::Z))));
         let inertia = MassProperties::new(Vector::ZERO, number(&body["mass"]), vector(&body["I"]));
         let sphere = world.bodies.insert(
