@@ -4,7 +4,7 @@ import json
 import sys
 import time
 
-STEPS = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4]
+STEPS = [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4]
 TRACED = {"rocking_block", "popout_1mm"}  # the measure of these needs the whole way
 
 
@@ -17,6 +17,8 @@ def scenes():
 def measure(peer, scene, h, build):
     """Prints one run. `build()` gives an object with `steps(n)` and `state()`, which is (poses, velocities)."""
     steps = round(scene["T"] / h)
+    if abs(steps * h - scene["T"]) > 1e-9:
+        return  # these engines know no shorter last step
     world, way = build(), []
     if scene["name"] in TRACED:
         for _ in range(steps):
@@ -36,7 +38,7 @@ def fastest(build, steps):
     Of so many that they take a few hundredths of a second; one is enough if it is long.
     """
     times = []
-    while len(times) < 100 if sum(times) < 0.03 else len(times) < 5 and sum(times) < 0.2:
+    while (len(times) < 5 or sum(times) < 0.03) and len(times) < 100 and sum(times) < 0.2:
         world = build()
         start = time.thread_time()
         world.steps(steps)

@@ -246,10 +246,11 @@ static double cpu_seconds() {
 // second; one is enough if it is long.
 static void measure(const json& scene, const std::string& peer, int solver, double h) {
     const auto steps = std::size_t(std::llround(scene["T"].get<double>() / h));
+    if (std::abs(double(steps) * h - scene["T"].get<double>()) > 1e-9) return;  // no shorter last step
     json row = {{"peer", peer}, {"scene", scene["name"]}, {"h", h}, {"steps", steps}, {"way", json::array()}};
     std::vector<double> times;
     double total = 0;
-    while (total < 0.03 ? times.size() < 100 : times.size() < 5 && total < 0.2) {
+    while ((times.size() < 5 || total < 0.03) && times.size() < 100 && total < 0.2) {
         World world(scene, solver, h);
         const double start = cpu_seconds();
         for (std::size_t i = 0; i < steps; ++i) world.step();
@@ -284,6 +285,6 @@ int main(int count, char** arguments) {
         const std::pair<const char*, int> spatial_solvers[] = {{"Siconos NSGS", SICONOS_FRICTION_3D_NSGS},
                                                                {"Siconos Newton", SICONOS_FRICTION_3D_NSN_AC}};
         for (const auto& [peer, solver] : spatial ? spatial_solvers : planar_solvers)
-            for (const double h : {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4}) measure(scene, peer, solver, h);
+            for (const double h : {5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4}) measure(scene, peer, solver, h);
     }
 }
