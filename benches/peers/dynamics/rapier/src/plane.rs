@@ -11,12 +11,19 @@ pub struct World {
 }
 
 impl World {
-    pub fn new(scene: &Value, setting: &Setting, h: f64) -> Self {
+    pub fn new(scene: &Value, setting: Setting, h: f64) -> Self {
         let mut world = PhysicsWorld::new();
         world.gravity = upright(&scene["gravity"]);
         world.integration_parameters.dt = h;
-        world.integration_parameters.num_solver_iterations = setting.iterations;
-        world.integration_parameters.contact_recycling = setting.recycling;
+        if let Setting::Tuned = setting {
+            let contact = SpringCoefficients::new(1e4, 1.0);
+            let parameters = &mut world.integration_parameters;
+            parameters.num_solver_iterations = 20;
+            parameters.contact_softness = contact;
+            parameters.static_contact_softness = contact;
+            parameters.friction_in_bias_pass = true;
+            parameters.contact_recycling = false;
+        }
         let surface = |shape: ColliderBuilder| {
             // of both surfaces of a contact the mean counts
             shape.friction(number(&scene["mu"])).restitution(number(&scene["e"])).density(0.0)
