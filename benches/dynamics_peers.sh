@@ -40,7 +40,7 @@ siconos() {
 
 python_engine() {
     [ -x "$cache/venv/bin/python" ] || python3 -m venv "$cache/venv" || return
-    "$cache/venv/bin/python" -c "import $1" 2>/dev/null || "$cache/venv/bin/pip" install -q "$1"
+    "$cache/venv/bin/pip" install --quiet --disable-pip-version-check "$1"
 }
 
 rapier() {
@@ -51,8 +51,9 @@ run() { echo "running $1" >&2; shift; "$@" "$scenes" "${names[@]}" >>"$work/peer
 
 touch "$work/peers"
 if siconos; then run "Siconos (driver in C++)" "$cache/siconos"; else without Siconos; fi
-for engine in mujoco pymunk dartpy; do
-    if python_engine "$engine"; then
+for pinned in mujoco==4.0.0 pymunk==7.3.1 dartpy==6.20.0; do
+    engine=${pinned%%==*}
+    if python_engine "$pinned"; then
         run "$engine" env PYTHONDONTWRITEBYTECODE=1 "$cache/venv/bin/python" "$here/${engine}_driver.py"
     else
         without "$engine"

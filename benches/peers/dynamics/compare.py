@@ -139,6 +139,8 @@ def read(scenes, ours_path, peers_path):
 
 
 def print_errors(ours, peers):
+    print("Siconos is driven from C++, Rapier from Rust, MuJoCo by one call into C a run, Chipmunk (pymunk) and DART by one")
+    print("call from Python a step, which costs them about half a microsecond. CPU times of the least disturbed runs.\n")
     print("## Error, and microseconds of CPU per step")
     for name in ours:
         settings = [*peers[name].items(), *ours[name].items()]
