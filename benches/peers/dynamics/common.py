@@ -1,4 +1,4 @@
-"""What the drivers in Python share: the scenes, the steps, the CPU time of a run and the line that says how it ended."""
+"""What the drivers in Python share: the scenes, the steps, the CPU time of a run and the line that says its end."""
 
 import json
 import sys

@@ -3,8 +3,8 @@
 compare.py SCENES.json OURS.csv PEERS.jsonl
 
 OURS.csv is what `cargo bench --bench dynamics -- --csv` prints; its errors come from `tests/dynamics/peers.rs`, whose
-measure is repeated here for the peers, from their last poses and velocities: planar bodies as x, z, angle, the sphere as
-x, y, z. The way of the first body holds z, angle and spin after every step.
+measure is repeated here for the peers, from their last poses and velocities: planar bodies as x, z, angle, the sphere
+as x, y, z. The way of the first body holds z, angle and spin after every step.
 
 Times are CPU times of the steps alone. What partplan does once at the end, no peer does: it says which contact forces
 rigid bodies do not determine. That is listed by itself.
@@ -139,8 +139,8 @@ def read(scenes, ours_path, peers_path):
 
 
 def print_errors(ours, peers):
-    print("Siconos is driven from C++, Rapier from Rust, MuJoCo by one call into C a run, Chipmunk (pymunk) and DART by one")
-    print("call from Python a step, which costs them about half a microsecond. CPU times of the least disturbed runs.\n")
+    print("Siconos is driven from C++, Rapier from Rust, MuJoCo by one call into C a run, Chipmunk (pymunk) and DART by")
+    print("one call from Python a step, about half a microsecond. CPU times of the least disturbed runs.\n")
     print("## Error, and microseconds of CPU per step")
     for name in ours:
         settings = [*peers[name].items(), *ours[name].items()]

@@ -1,8 +1,8 @@
 """Runs the scenes in DART through dartpy: dartpy_driver.py SCENES.json NAME…
 
-All bodies are free in space: with planar joints the friction across the plane has nothing to move, and DART's LCP solver
-fails. Planes are large boxes because DART's own detector knows no planes. A step is one call from Python, which costs
-about half a microsecond of the time shown.
+All bodies are free in space: with planar joints the friction across the plane has nothing to move, and DART's LCP
+solver fails. Planes are large boxes because DART's own detector knows no planes. A step is one call from Python, which
+costs about half a microsecond of the time shown.
 """
 
 import math

@@ -185,7 +185,8 @@ class World {
             // only the lowest of a pile reaches the ground
             for (const json& plane : scene["planes"])
                 for (std::size_t p = 0; i == 0 && p < points.size(); ++p)
-                    link(std::make_shared<OnPlane>(points[p], radius, upright(plane["point"]), upright(plane["normal"])),
+                    link(std::make_shared<OnPlane>(points[p], radius, upright(plane["point"]),
+                                                   upright(plane["normal"])),
                          i, false);
         }
     }
@@ -278,7 +279,8 @@ int main(int count, char** arguments) {
     }
     const json all = json::parse(std::ifstream(arguments[1]));
     for (const json& scene : all["scenes"]) {
-        if (std::find(arguments + 2, arguments + count, scene["name"].get<std::string>()) == arguments + count) continue;
+        const std::string name = scene["name"];
+        if (std::find(arguments + 2, arguments + count, name) == arguments + count) continue;
         const bool spatial = scene["dim"] == "3d";
         const std::pair<const char*, int> planar_solvers[] = {{"Siconos NSGS", SICONOS_FRICTION_2D_NSGS},
                                                               {"Siconos Lemke", SICONOS_FRICTION_2D_LEMKE}};
