@@ -121,7 +121,7 @@ def shown(best):
 
 
 def read(scenes, ours_path, peers_path):
-    """Errors and ms of CPU per simulated second by scene, setting and step, and partplan's ms at the end of each run."""
+    """Errors and ms of CPU per simulated second by scene, setting and step, and partplan's ms at the end of runs."""
     ours, peers = defaultdict(lambda: defaultdict(dict)), defaultdict(lambda: defaultdict(dict))
     ends = {}
     with open(ours_path, encoding="utf-8", newline="") as file:
@@ -140,7 +140,7 @@ def read(scenes, ours_path, peers_path):
 
 def print_errors(ours, peers):
     print("Siconos is driven from C++, Rapier from Rust, MuJoCo by one call into C a run, Chipmunk (pymunk) and DART by")
-    print("one call from Python a step, about half a microsecond. CPU times of the steps, of the least disturbed runs.\n")
+    print("one call from Python a step, about half a microsecond. CPU times of the steps, in the least disturbed runs.\n")
     print("## Error, and microseconds of CPU per step")
     for name in ours:
         settings = [*peers[name].items(), *((f"partplan {model}", runs) for model, runs in ours[name].items())]
