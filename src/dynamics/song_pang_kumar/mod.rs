@@ -8,7 +8,7 @@ mod newton;
 mod solve;
 
 pub use check::SimulationError;
-pub(super) use check::{check, notes};
+pub(super) use check::{check, check_shapes, notes};
 
 use super::contact::{Contact, dot};
 use super::impulses::{Fallbacks, Refused, Solved};
