@@ -59,6 +59,16 @@ impl Cuboid {
         Self { center: placed(pose, [0.0; 3]), axes: [axis(0), axis(1), axis(2)], half }
     }
 
+    /// Whether no point of the box is within `reach` of a ball.
+    pub fn is_far(&self, center: [f64; 3], radius: f64, reach: f64) -> bool {
+        length(sub(self.center, center)) > length(self.half) + radius + reach
+    }
+
+    /// Whether no points of the boxes are within `reach` of each other, by the balls about them.
+    pub fn is_far_from(&self, other: &Self, reach: f64) -> bool {
+        self.is_far(other.center, length(other.half), reach)
+    }
+
     /// The longest side (m).
     pub fn size(&self) -> f64 {
         2.0 * self.half.iter().copied().fold(0.0, f64::max)
@@ -266,19 +276,26 @@ pub(super) fn crossings(a: &Cuboid, b: &Cuboid, mut found: impl FnMut([u32; 2], 
     }
 }
 
-/// The largest distance between the boxes as seen along any normal of a face or common normal of edges (m): that of the
-/// separating axis if positive, the least overlap with its sign turned otherwise.
-pub(super) fn separation(a: &Cuboid, b: &Cuboid) -> f64 {
+/// The largest distance between the boxes as seen along any normal of a face or common normal of edges (m), and that
+/// direction from `b` to `a`: the separating axis if positive, the least overlap with its sign turned otherwise.
+pub(super) fn separation(a: &Cuboid, b: &Cuboid) -> (f64, [f64; 3]) {
     let away = sub(a.center, b.center);
     let reach = |of: &Cuboid, d: [f64; 3]| -> f64 { (0..3).map(|i| of.half[i] * dot(of.axes[i], d).abs()).sum() };
-    let along = |d: [f64; 3]| dot(away, d).abs() - reach(a, d) - reach(b, d);
-    let faces = a.axes.iter().chain(&b.axes).map(|axis| along(*axis));
+    let faces = a.axes.into_iter().chain(b.axes);
     let pairs = a.axes.iter().flat_map(|d| b.axes.iter().map(move |other| cross(*d, *other)));
     let edges = pairs.filter_map(|common| {
         let sine = length(common);
-        (sine > 1e-6).then(|| along(scaled(1.0 / sine, common)))
+        (sine > 1e-6).then(|| scaled(1.0 / sine, common))
     });
-    faces.chain(edges).fold(f64::NEG_INFINITY, f64::max)
+    let mut most = (f64::NEG_INFINITY, [0.0; 3]);
+    for d in faces.chain(edges) {
+        let along = dot(away, d);
+        let distance = along.abs() - reach(a, d) - reach(b, d);
+        if distance > most.0 {
+            most = (distance, scaled(1.0_f64.copysign(along), d));
+        }
+    }
+    most
 }
 
 /// -1 or 1: the side on which a vertex is along an axis.

@@ -17,6 +17,9 @@ const ROUNDING: f64 = 1e-6;
 /// Features that overlap by more than so many times the least overlap of their boxes do not meet.
 const DEEPEST: f64 = 4.0;
 
+/// Where boxes overlap, cosine of the angle to the direction of the least overlap up to which normals push them apart.
+const APART: f64 = 0.7;
+
 /// Gap, point and normal of a pair of features.
 type Meeting = (f64, [f64; 3], [f64; 3]);
 
@@ -144,11 +147,11 @@ impl Pair<'_> {
             (Solid::Ball(a, radius), Solid::Ball(b, other_radius)) => {
                 self.push(balls(*a, *radius, *b, *other_radius), [plain, plain]);
             }
-            (Solid::Ball(center, radius), Solid::Box(cuboid)) => {
+            (Solid::Ball(center, radius), Solid::Box(cuboid)) if !cuboid.is_far(*center, *radius, self.reach) => {
                 let near = cuboid.closest(*center);
                 self.push(ball_at(*radius, near), [plain, near.feature]);
             }
-            (Solid::Box(cuboid), Solid::Ball(center, radius)) => {
+            (Solid::Box(cuboid), Solid::Ball(center, radius)) if !cuboid.is_far(*center, *radius, self.reach) => {
                 let near = cuboid.closest(*center);
                 self.push(at_ball(*center, *radius, near), [near.feature, plain]);
             }
@@ -159,6 +162,7 @@ impl Pair<'_> {
                 }
             }
             (Solid::Box(a), Solid::Box(b)) => self.boxes(a, b),
+            (Solid::Ball(..), Solid::Box(_)) | (Solid::Box(_), Solid::Ball(..)) => {}
             // no body is a half space, which is seen to before a run
             (Solid::Half(..), _) => {}
         }
@@ -166,29 +170,36 @@ impl Pair<'_> {
 
     /// Vertices of each against the closest feature of the other, then edges; what coincides, once.
     fn boxes(&mut self, a: &Cuboid, b: &Cuboid) {
-        let apart = separation(a, b);
+        if a.is_far_from(b, self.reach) {
+            return;
+        }
+        let (apart, direction) = separation(a, b);
         if apart > self.reach {
             return;
         }
         let rounding = ROUNDING * a.size().min(b.size());
         let deepest = DEEPEST * apart.min(0.0) - rounding;
+        // two convex bodies overlap in one place, and come apart in one direction
+        let parts = |gap: f64, normal: [f64; 3]| gap >= deepest && (apart > -rounding || dot(normal, direction) >= APART);
         let first = self.out.len();
         for vertex in 0..8 {
-            if let Some(near) = b.closest_to_vertex(a, vertex, rounding).filter(|near| near.distance >= deepest) {
-                self.push(vertex_at(a.vertex(vertex), near), [Feature::Vertex(vertex), near.feature]);
+            if let Some(near) = b.closest_to_vertex(a, vertex, rounding) {
+                let meeting = vertex_at(a.vertex(vertex), near);
+                if parts(meeting.0, meeting.2) {
+                    self.push(meeting, [Feature::Vertex(vertex), near.feature]);
+                }
             }
         }
         for vertex in 0..8 {
-            let Some(near) = a.closest_to_vertex(b, vertex, rounding).filter(|near| near.distance >= deepest) else {
-                continue;
-            };
+            let Some(near) = a.closest_to_vertex(b, vertex, rounding) else { continue };
             let meeting = at_vertex(b.vertex(vertex), near);
-            if !matches!(near.feature, Feature::Vertex(_)) && !self.is_known(first, meeting.1, meeting.2, rounding) {
+            let is_once = !matches!(near.feature, Feature::Vertex(_));
+            if is_once && parts(meeting.0, meeting.2) && !self.is_known(first, meeting.1, meeting.2, rounding) {
                 self.push(meeting, [near.feature, Feature::Vertex(vertex)]);
             }
         }
         crossings(a, b, |[on_a, on_b], Crossing { gap, points, normal, .. }| {
-            if gap >= deepest && gap <= self.reach && !self.is_known(first, points[0], normal, rounding) {
+            if parts(gap, normal) && gap <= self.reach && !self.is_known(first, points[0], normal, rounding) {
                 self.push((gap, points[0], normal), [Feature::Edge(on_a), Feature::Edge(on_b)]);
             }
         });

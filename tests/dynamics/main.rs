@@ -3,6 +3,9 @@
 mod discrete;
 mod peers;
 mod published;
+mod space;
+mod space_made;
+mod space_oracle;
 mod spk_accuracy;
 mod spk_fallback;
 mod spk_full_form;
