@@ -86,7 +86,9 @@ pub(super) fn follow(
 /// The features of `name`, wherever they are.
 fn again(a: &Solid, b: &Solid, name: ContactName) -> Option<Meeting> {
     match (a, b, name.feature, name.other_feature) {
-        (Solid::Ball(center, radius), Solid::Half(point, normal), ..) => Some(ball_on(*center, *radius, *point, *normal)),
+        (Solid::Ball(center, radius), Solid::Half(point, normal), ..) => {
+            Some(ball_on(*center, *radius, *point, *normal))
+        }
         (Solid::Ball(a, radius), Solid::Ball(b, other_radius), ..) => Some(balls(*a, *radius, *b, *other_radius)),
         (Solid::Ball(center, radius), Solid::Box(cuboid), _, feature) => {
             Some(ball_at(*radius, cuboid.to_feature(feature, *center)))
@@ -180,7 +182,8 @@ impl Pair<'_> {
         let rounding = ROUNDING * a.size().min(b.size());
         let deepest = DEEPEST * apart.min(0.0) - rounding;
         // two convex bodies overlap in one place, and come apart in one direction
-        let parts = |gap: f64, normal: [f64; 3]| gap >= deepest && (apart > -rounding || dot(normal, direction) >= APART);
+        let parts =
+            |gap: f64, normal: [f64; 3]| gap >= deepest && (apart > -rounding || dot(normal, direction) >= APART);
         let first = self.out.len();
         for vertex in 0..8 {
             if let Some(near) = b.closest_to_vertex(a, vertex, rounding) {

@@ -191,7 +191,7 @@ fn two_edges_meet_in_a_point() {
     Spatial::contacts(&mut (), &scene, &[upper, lower], 0.02, &mut contacts);
     let [contact] = contacts.as_slice() else { panic!("{} contacts", contacts.len()) };
     assert!((contact.gap - 0.005).abs() < 1e-14);
-    let away = [0.0, 0.02, diagonal + 0.005].iter().zip(contact.point).map(|(a, b)| (a - b).abs());
+    let away = [0.0, 0.02, diagonal + 0.005].into_iter().zip(contact.point).map(|(a, b)| (a - b).abs());
     assert!(away.fold(0.0, f64::max) < 1e-14, "{:?}", contact.point);
     assert!((contact.normal[2] - 1.0).abs() < 1e-14);
     let run = run(&scene, ModelKind::Moreau, 1e-3);

@@ -72,10 +72,7 @@ fn segments([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
     let least = ends.into_iter().fold(f64::INFINITY, f64::min);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
     let determinant = uu * vv - uv * uv;
-    let (s, t) = (
-        (uv * dot(v, w) - vv * dot(u, w)) / determinant,
-        (uu * dot(v, w) - uv * dot(u, w)) / determinant,
-    );
+    let (s, t) = ((uv * dot(v, w) - vv * dot(u, w)) / determinant, (uu * dot(v, w) - uv * dot(u, w)) / determinant);
     if determinant > 1e-12 * uu * vv && (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
         let away = minus(plus(a, s, u), plus(c, t, v));
         return least.min(dot(away, away).sqrt());
@@ -102,17 +99,16 @@ fn distance(half: [Vector; 2], poses: &[[f64; 7]]) -> f64 {
 fn overlap(half: [Vector; 2], poses: &[[f64; 7]]) -> f64 {
     let all = [vertices(half[0], &poses[0]), vertices(half[1], &poses[1])];
     let (a, b) = (frame(&poses[0]).0, frame(&poses[1]).0);
-    let cross = |a: Vector, b: Vector| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
+    let cross =
+        |a: Vector, b: Vector| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     let mut axes: Vec<Vector> = a.iter().chain(&b).copied().collect();
     axes.extend(a.iter().flat_map(|a| b.iter().map(|b| cross(*a, *b))));
     let along = |axis: Vector| {
         let length = dot(axis, axis).sqrt();
         let extent = |of: &[Vector]| {
-            of.iter().map(|v| dot(*v, axis) / length).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                (low.min(x), high.max(x))
-            })
+            of.iter()
+                .map(|v| dot(*v, axis) / length)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
         };
         let ((low, high), (other_low, other_high)) = (extent(&all[0]), extent(&all[1]));
         (length > 1e-6).then_some((high - other_low).min(other_high - low))
