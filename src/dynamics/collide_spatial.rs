@@ -98,11 +98,11 @@ impl Cuboid {
             2 => Feature::Edge(edge(outside.iter().position(|outside| !outside).unwrap_or(0), own)),
             _ => Feature::Vertex(vertex(own)),
         };
-        self.to_feature(feature, point)
+        self.nearest_on(feature, point)
     }
 
     /// Where `point` lies to a feature: to the whole plane of a face, the whole line of an edge.
-    pub fn to_feature(&self, feature: Feature, point: [f64; 3]) -> Near {
+    pub fn nearest_on(&self, feature: Feature, point: [f64; 3]) -> Near {
         let own = self.own(point);
         let mut nearest = own;
         match feature {
@@ -145,7 +145,7 @@ impl Cuboid {
             of.sees(number, near.normal.map(|x| -x)) && (0..3).all(|i| met[i] || !grazes(i))
         };
         let to_face = |axis: usize| {
-            let near = self.to_feature(Feature::Surface(face(axis, own)), point);
+            let near = self.nearest_on(Feature::Surface(face(axis, own)), point);
             meets(&near, std::array::from_fn(|i| i == axis)).then_some(near)
         };
         match outside {
@@ -156,7 +156,7 @@ impl Cuboid {
             _ => {
                 let inside = outside.iter().position(|outside| !outside);
                 let feature = inside.map_or(Feature::Vertex(vertex(own)), |axis| Feature::Edge(edge(axis, own)));
-                Some(self.to_feature(feature, point)).filter(|near| meets(near, outside))
+                Some(self.nearest_on(feature, point)).filter(|near| meets(near, outside))
             }
         }
     }

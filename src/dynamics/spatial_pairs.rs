@@ -91,21 +91,21 @@ fn again(a: &Solid, b: &Solid, name: ContactName) -> Option<Meeting> {
         }
         (Solid::Ball(a, radius), Solid::Ball(b, other_radius), ..) => Some(balls(*a, *radius, *b, *other_radius)),
         (Solid::Ball(center, radius), Solid::Box(cuboid), _, feature) => {
-            Some(ball_at(*radius, cuboid.to_feature(feature, *center)))
+            Some(ball_at(*radius, cuboid.nearest_on(feature, *center)))
         }
         (Solid::Box(cuboid), Solid::Ball(center, radius), feature, _) => {
-            Some(at_ball(*center, *radius, cuboid.to_feature(feature, *center)))
+            Some(at_ball(*center, *radius, cuboid.nearest_on(feature, *center)))
         }
         (Solid::Box(cuboid), Solid::Half(point, normal), Feature::Vertex(vertex), _) => {
             Some(vertex_on(cuboid.vertex(vertex), *point, *normal))
         }
         (Solid::Box(a), Solid::Box(b), Feature::Vertex(vertex), face @ Feature::Surface(_)) => {
             let vertex = a.vertex(vertex);
-            Some(vertex_at(vertex, b.to_feature(face, vertex)))
+            Some(vertex_at(vertex, b.nearest_on(face, vertex)))
         }
         (Solid::Box(a), Solid::Box(b), face @ Feature::Surface(_), Feature::Vertex(vertex)) => {
             let vertex = b.vertex(vertex);
-            Some(at_vertex(vertex, a.to_feature(face, vertex)))
+            Some(at_vertex(vertex, a.nearest_on(face, vertex)))
         }
         (Solid::Box(a), Solid::Box(b), Feature::Edge(on_a), Feature::Edge(on_b)) => {
             crossing(a, on_a, b, on_b).map(|Crossing { gap, points, normal, .. }| (gap, points[0], normal))
