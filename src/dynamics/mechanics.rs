@@ -94,6 +94,10 @@ pub trait Mechanics: Space {
         velocity: &Self::Velocity,
     ) -> Self::Velocity;
 
+    /// Whether bodies cannot have this shape: nothing finds what they would touch.
+    #[doc(hidden)]
+    fn is_fixed_only(shape: &Self::Shape) -> bool;
+
     /// Half the least thickness of a shape (m); infinite for what lies below a line or plane.
     #[doc(hidden)]
     fn half_thickness(shape: &Self::Shape) -> f64;

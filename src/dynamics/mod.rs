@@ -1,6 +1,7 @@
 //! Time-steppers for rigid bodies with friction: floats, verified step by step.
 
 mod collide;
+mod collide_spatial;
 mod contact;
 mod impact;
 mod impulses;
@@ -18,11 +19,13 @@ mod routh;
 mod run;
 mod song_pang_kumar;
 mod spatial;
+mod spatial_pairs;
 mod state;
 mod stepper;
 mod stewart_trinkle;
 mod stopped;
 mod touches;
+mod turning;
 
 pub use mechanics::Mechanics;
 pub use options::{ModelKind, Options};
@@ -40,12 +43,14 @@ use stopped::Stopped;
 /// `watch` is told the time reached before every step and ends the run, marked partial, by answering `false`.
 ///
 /// # Errors
-/// [`SimulationError`] if Song, Pang and Kumar's model is asked for and a pair that can touch has no usable compliance.
+/// [`SimulationError`] if a body has a shape that only fixed things have, or if Song, Pang and Kumar's model is asked for and
+/// a pair that can touch has no usable compliance.
 pub fn simulate<S: Mechanics>(
     world: &World<S>,
     options: &Options,
     watch: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Simulation<S>, SimulationError> {
+    song_pang_kumar::check_shapes(world)?;
     let step = options.step.or(world.step).unwrap_or(1e-3);
     let choice = |chosen| ModelChoice { chosen, step, ..ModelChoice::default() };
     match options.model {

@@ -140,6 +140,10 @@ impl Mechanics for Planar {
         planar_follow::swing(point, pose, wrench, velocity)
     }
 
+    fn is_fixed_only(shape: &PlanarShape) -> bool {
+        pieces(shape).iter().any(|piece| matches!(piece.kind, Kind::HalfPlane { .. }))
+    }
+
     fn half_thickness(shape: &PlanarShape) -> f64 {
         planar_follow::half_thickness(shape)
     }

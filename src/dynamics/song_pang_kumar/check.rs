@@ -8,6 +8,12 @@ use crate::model::{Body, Space, World};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulationError {
+    /// A body is a half plane or half space, which only fixed things can be.
+    #[error("body {body} has no other side: only fixed things can be half planes or half spaces")]
+    FixedOnly {
+        /// Number of the body.
+        body: usize,
+    },
     /// The model needs compliance and the material between these two has none.
     #[error("bodies {body} and {other} can touch, and their material has no stiffness and damping")]
     NoCompliance {
@@ -24,6 +30,14 @@ pub enum SimulationError {
         /// A body after it, or the number of bodies plus that of an obstacle.
         other: usize,
     },
+}
+
+/// Every body has a shape whose contacts are found.
+pub(in crate::dynamics) fn check_shapes<S: Mechanics>(world: &World<S>) -> Result<(), SimulationError> {
+    match world.bodies.iter().position(|body| S::is_fixed_only(&body.shape)) {
+        Some(body) => Err(SimulationError::FixedOnly { body }),
+        None => Ok(()),
+    }
 }
 
 /// Every pair that can touch has a usable compliance.

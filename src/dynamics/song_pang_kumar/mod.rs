@@ -9,7 +9,7 @@ mod newton;
 mod solve;
 
 pub use check::SimulationError;
-pub(super) use check::check;
+pub(super) use check::{check, check_shapes};
 
 use super::contact::{Contact, dot};
 use super::impulses::{Fallbacks, Refused, Solved};
