@@ -1,7 +1,10 @@
 //! The time-steppers against the published scenes, closed forms and invariants.
 
 mod discrete;
+mod failures;
+mod order;
 mod peers;
+mod peers_accuracy;
 mod published;
 mod spk_accuracy;
 mod spk_fallback;
