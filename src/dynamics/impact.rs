@@ -1,8 +1,9 @@
 //! Laws of impact: Newton's and Poisson's, all contacts that touch at once.
 
 use super::contact::{Contact, add_scaled};
-use super::impulses::{Impulses, Refused, Solved};
+use super::impulses::{Impulses, Refused, SLIPPING, Solved};
 use super::mechanics::Mechanics;
+use super::routh::SingleImpact;
 use super::state::State;
 use crate::answer::ContactName;
 use crate::model::{Restitution, World};
@@ -59,6 +60,7 @@ impl Impact {
             let answer = bounce(world, impulses, &struck, &e, state, total)?;
             // with friction a law of restitution can make energy: then as much of it acts as makes none
             if share == 0.0 || state.kinetic_energy(world) <= energy * (1.0 + 1e-12) {
+                total.reversal = total.reversal.or_else(|| reversal(impulses, &struck, &before, &state.velocities));
                 return Ok(struck.into_iter().zip(answer).collect());
             }
             share = if share > 1e-3 { 0.5 * share } else { 0.0 };
@@ -73,6 +75,24 @@ impl Impact {
         let is_at_rest = 2.0 * e * speed <= pull * self.h / 8.0;
         if self.is_plastic || speed <= 0.0 || is_at_rest { 0.0 } else { e }
     }
+}
+
+/// The slip of a single contact in the plane, if it reversed: after the impact as it was, and by Routh's law.
+fn reversal<S: Mechanics>(
+    impulses: &Impulses<S>,
+    struck: &[Contact<S>],
+    before: &[S::Velocity],
+    after: &[S::Velocity],
+) -> Option<(ContactName, [f64; 2])> {
+    let ([contact], Some(compliance)) = (struck, impulses.single_compliance()) else {
+        return None;
+    };
+    let [slip, end] = [before, after].map(|velocities| contact.velocity(1, velocities));
+    if slip * end >= 0.0 || end.abs() <= SLIPPING * contact.speed(after) {
+        return None;
+    }
+    let (approach, friction) = (contact.velocity(0, before), contact.material.friction);
+    Some((contact.name, [end, SingleImpact { approach, slip, friction, compliance }.routh_slip()]))
 }
 
 /// One impact with these coefficients: compression and Newton's law, then Poisson's expansion.

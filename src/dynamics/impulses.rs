@@ -8,6 +8,7 @@ use crate::complementarity::{
 };
 use crate::exact::to_f64;
 use crate::model::World;
+use std::collections::BTreeSet;
 
 /// Most times that friction cones are turned in one problem.
 const MAX_ALIGNMENTS: usize = 20;
@@ -19,7 +20,7 @@ const ALIGNED: f64 = 1e-9;
 pub(super) const SLIPPING: f64 = 1e-9;
 
 /// Most contacts of a problem whose solutions are all looked for, and most complementary cases looked at for them.
-const MAX_ENUMERATED: usize = 4;
+const MAX_ENUMERATED: usize = 3;
 const MAX_CASES: usize = 4096;
 
 /// How Coulomb's cone is met.
@@ -204,6 +205,14 @@ impl<S: Mechanics> Impulses<S> {
         })
     }
 
+    /// A_nn, A_nt and A_tt of the only contact of the last problem, where it is one in the plane.
+    pub fn single_compliance(&self) -> Option<[f64; 3]> {
+        match self.gram[..] {
+            [nn, nt, _, tt] => Some([nn, nt, tt]),
+            _ => None,
+        }
+    }
+
     /// M and q of (12) and (13); U is diag(mu), as ERRATA reads the paper.
     fn assemble(
         &mut self,
@@ -288,7 +297,18 @@ impl<S: Mechanics> Impulses<S> {
 
     /// All normal forces that the last problem allows, for a step of length `h`; `contacts` are those of the problem.
     pub fn forces(&self, world: &World<S>, poses: &[S::Pose], contacts: &[Contact<S>], h: f64) -> Option<Forces> {
-        if contacts.is_empty() || contacts.len() > MAX_ENUMERATED || contacts.len() != self.answer.len() {
+        if contacts.is_empty() || contacts.len() != self.answer.len() {
+            return None;
+        }
+        // more contacts than velocities: their normals are dependent, whatever else holds
+        let freedoms = S::Velocity::default().as_ref().len();
+        let is_free = |body: usize| !world.bodies[body].is_kinematic;
+        let bodies: BTreeSet<usize> = contacts.iter().flat_map(Contact::sides).map(|(body, _)| body).collect();
+        let n_velocities = freedoms * bodies.into_iter().filter(|body| is_free(*body)).count();
+        if contacts.len() > n_velocities {
+            return Some(Forces { ranges: Vec::new(), surplus: Some((contacts.len(), n_velocities)) });
+        }
+        if contacts.len() > MAX_ENUMERATED {
             return None;
         }
         let lcp = exact_problem(world, poses, contacts, &self.edges, &self.q).ok()?;
@@ -299,7 +319,7 @@ impl<S: Mechanics> Impulses<S> {
             let range = all.range(i)?;
             Some((contact.name, to_f64(&range.min) / h, range.max.as_ref().map(|max| to_f64(max) / h)))
         });
-        Some(Forces { ranges: ranges.collect() })
+        Some(Forces { ranges: ranges.collect(), surplus: None })
     }
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
@@ -319,6 +339,8 @@ impl<S: Mechanics> Impulses<S> {
 pub(super) struct Forces {
     /// Least and greatest of each contact (N); the greatest is `None` where there is none.
     pub ranges: Vec<(ContactName, f64, Option<f64>)>,
+    /// Number of contacts and of velocities, where there are more contacts: the forces are then never determined.
+    pub surplus: Option<(usize, usize)>,
 }
 
 /// How the contact problems of a step were solved.
@@ -330,6 +352,8 @@ pub(super) struct Solved {
     pub problems: usize,
     pub impacts: usize,
     pub fastest_impact: f64,
+    /// A contact whose slip reversed inside an impact, with its slip after it by the step and by Routh's law (m/s).
+    pub reversal: Option<(ContactName, [f64; 2])>,
     pub fallbacks: Fallbacks,
 }
 
@@ -345,7 +369,16 @@ pub(super) struct Fallbacks {
 impl Solved {
     pub fn nothing() -> Self {
         let fallbacks = Fallbacks::default();
-        Self { residual: 0.0, pivots: 0, rung: Rung::Free, problems: 0, impacts: 0, fastest_impact: 0.0, fallbacks }
+        Self {
+            residual: 0.0,
+            pivots: 0,
+            rung: Rung::Free,
+            problems: 0,
+            impacts: 0,
+            fastest_impact: 0.0,
+            reversal: None,
+            fallbacks,
+        }
     }
 
     /// Adds the work of another problem of the same step.
@@ -355,6 +388,7 @@ impl Solved {
         self.rung = self.rung.max(other.rung);
         self.problems += other.problems;
         self.impacts += other.impacts;
+        self.reversal = self.reversal.or(other.reversal);
         self.fastest_impact = self.fastest_impact.max(other.fastest_impact);
         self.fallbacks.continued += other.fallbacks.continued;
         self.fallbacks.divided += other.fallbacks.divided;

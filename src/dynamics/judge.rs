@@ -76,6 +76,15 @@ impl<'w, S: Mechanics> Judge<'w, S> {
         })
     }
 
+    /// A slip that reversed inside an impact, said.
+    pub fn reversal(&self, time: f64, (name, [step, routh]): (ContactName, [f64; 2])) -> String {
+        format!(
+            "at {time} s the slip between {} reverses inside an impact: {step:.4} m/s after it, by Routh's law {routh:.4} m/s; \
+             laws of impact do not agree on it",
+            self.name(&name)
+        )
+    }
+
     /// The contacts whose forces rigid bodies do not determine, said.
     pub fn forces(&self, forces: &Forces) -> Vec<String> {
         let open = forces.ranges.iter().filter(|(_, min, max)| max.is_none_or(|max| max - min > 1e-6 * max.abs()));
@@ -87,7 +96,12 @@ impl<'w, S: Mechanics> Judge<'w, S> {
             };
             format!("the normal force between {name} at the end is not determined: {range} moves the bodies alike")
         };
-        open.map(say).collect()
+        let surplus = forces.surplus.map(|(contacts, velocities)| {
+            format!(
+                "the normal forces at the end are not determined: {contacts} contacts hold what has {velocities} velocities"
+            )
+        });
+        surplus.into_iter().chain(open.map(say)).collect()
     }
 
     /// Two names.

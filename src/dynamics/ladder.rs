@@ -95,7 +95,10 @@ fn refined<S: Mechanics>(
     }
     if let Some(step) = world.step {
         let coarse = at(2.0 * step, Vec::new());
-        let mut fine = at(step, with("the step is the scene's".to_string()));
+        let mut fine = match coarse.status {
+            Status::Partial => return coarse,
+            _ => at(step, with("the step is the scene's".to_string())),
+        };
         fine.model.error = difference(world, &coarse, &fine);
         return fine;
     }
@@ -110,6 +113,11 @@ fn refined<S: Mechanics>(
         let error = difference(world, &coarse, &fine);
         let is_enough = error.is_some_and(|error| error <= options.tolerance);
         let is_last = halving == MAX_HALVINGS || world.duration / step > 0.25 * options.max_steps as f64;
+        if fine.time < coarse.time {
+            coarse.notes.push("stopped before the step was checked against its half".to_string());
+            coarse.status = Status::Partial;
+            return coarse;
+        }
         if is_enough || is_last || fine.status == Status::Partial {
             let error_text = error.map_or("does not compare".to_string(), |error| format!("differs by {error:.1e} m"));
             let limit = if is_enough { "within" } else { "not within" };

@@ -14,6 +14,7 @@ mod paradox;
 mod planar;
 mod planar_follow;
 mod project;
+mod routh;
 mod run;
 mod song_pang_kumar;
 mod spatial;

@@ -64,7 +64,9 @@ pub(super) struct Moreau<'w, S: Mechanics> {
     /// Length of the whole step (s).
     h: f64,
     deepest: f64,
-    /// Energy that projections of this step have added (J).
+    /// Whether the step starts with more overlap than its own errors leave.
+    overlaps: bool,
+    /// Energy that undoing such overlaps has added in the step (J).
     corrected: f64,
 }
 
@@ -94,6 +96,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             substep: 0.0,
             h: 0.0,
             deepest: 0.0,
+            overlaps: false,
             corrected: 0.0,
         }
     }
@@ -192,7 +195,9 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.deepest = self.deepest.max(deepest);
             let before = self.current.energy(self.world);
             project(self.world, &mut self.current.poses, &held);
-            self.corrected += self.current.energy(self.world) - before;
+            if self.overlaps {
+                self.corrected += self.current.energy(self.world) - before;
+            }
             self.look();
         }
         let depth = self.here.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
@@ -285,6 +290,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
         self.forced.clear();
         self.look();
         self.deepest = self.here.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
+        self.overlaps = self.deepest > 1e3 * self.touching;
         let mut total = Solved::nothing();
         let mut left = h;
         let mut impacts = 0;

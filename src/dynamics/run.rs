@@ -30,6 +30,7 @@ pub(super) fn run<S: Mechanics>(
     log.keep(&state, stepper);
     let mut judge = Judge::new(world);
     log.notes.extend(judge.overlap(&state));
+    let mut said_reversal = false;
     for index in 0..n_steps {
         if index >= options.max_steps || !watch(state.time) {
             status = Status::Partial;
@@ -41,6 +42,10 @@ pub(super) fn run<S: Mechanics>(
         before.clone_from(&state);
         match stepper.step(&mut state, length) {
             Ok(solved) => {
+                if let (Some(reversal), false) = (solved.reversal, said_reversal) {
+                    log.notes.push(judge.reversal(before.time, reversal));
+                    said_reversal = true;
+                }
                 log.step(world, &before, &state, stepper, solved);
                 if let Some((judged, note)) = judge.step(&before, stepper.is_suspect(), &log.held) {
                     status = judged;
