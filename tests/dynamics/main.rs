@@ -1,10 +1,13 @@
 //! The time-steppers against the published scenes, closed forms and invariants.
 
 mod discrete;
+mod drops;
 mod failures;
+mod hard_contacts;
 mod order;
 mod peers;
 mod peers_accuracy;
+mod properties;
 mod published;
 mod spk_accuracy;
 mod spk_fallback;

@@ -96,12 +96,12 @@ fn an_edged_cone_is_wrong_by_its_cosine() {
     }
 }
 
-
 /// The rod whose slip reverses inside the impact has no limit h -> 0, only an interval, and every step ends in it; both
 /// halves of the interval are met.
 #[test]
 fn a_reversing_slip_ends_in_its_interval() {
-    let published = list(&expected()["st_rod_reversal"]["slip_after_impact_interval"]).iter().map(number).collect::<Vec<_>>();
+    let published =
+        list(&expected()["st_rod_reversal"]["slip_after_impact_interval"]).iter().map(number).collect::<Vec<_>>();
     let Scene::Planar(world) = scene("st_rod_reversal").scene else { panic!("the rod is planar") };
     let mut slips = Vec::new();
     for j in 0..24 {
@@ -110,11 +110,11 @@ fn a_reversing_slip_ends_in_its_interval() {
         let first = run.frames.iter().position(|frame| !frame.touches.is_empty()).expect("it strikes the floor");
         // an impact takes up to two steps: the gap closes in the first
         let frame = &run.frames[first + 1];
-        let ([vx, _, w], [_, ry]) = (frame.velocities[0], [0.0, run.frames[first + 1].touches[0].point[1] - frame.poses[0][1]]);
+        let ([vx, _, w], [_, ry]) =
+            (frame.velocities[0], [0.0, run.frames[first + 1].touches[0].point[1] - frame.poses[0][1]]);
         slips.push(vx - w * ry);
     }
     let (least, most) = slips.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(*s), b.max(*s)));
-    println!("{least} {most} {published:?} {slips:?}");
     assert!(least >= published[0] - 5e-3 && most <= published[1] + 5e-3, "{least} to {most}");
     let middle = 0.5 * (published[0] + published[1]);
     assert!(least < middle && middle < most, "{least} to {most}");
@@ -140,7 +140,6 @@ fn every_step_keeps_the_laws_of_contact() {
 fn keeps_the_laws<S: Mechanics>(name: &str, world: &World<S>) -> usize {
     let (run, friction) = (run(world, 1e-3, 400), world.materials[0].friction);
     assert!(matches!(run.status, Status::Complete | Status::Inconsistent), "{name}: {:?}", run.notes);
-    println!("{name} {:e} {:e}", run.solver.residual, run.energy.largest_gain);
     // the bound of the residual holds what rounding of the impulses can hide: an impact's are large beside g h
     assert!(run.solver.residual <= 1e-10, "{name}: residual {:e}", run.solver.residual);
     if name != "st_popout" {
