@@ -19,6 +19,9 @@ use crate::model::World;
 /// Most impacts located in one step; what closes after them in the same step is held closed without bouncing.
 const MAX_IMPACTS: usize = 32;
 
+/// Most times in one step that a closing gap is located; features that replace each other may close without an impact.
+const MAX_LOCATIONS: usize = 4 * MAX_IMPACTS;
+
 /// Most substeps tried to locate one impact.
 const MAX_TRIALS: usize = 60;
 
@@ -187,6 +190,8 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.held.push((contact.name, impulse[0] > 0.0));
             self.touches.add(contact, *impulse, time);
         }
+        let depth = |contacts: &[Contact<S>]| contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
+        let met = depth(&self.here);
         for _ in 0..MAX_PROJECTIONS {
             let held: Vec<Held<S>> = self.here.iter().filter_map(|contact| self.to_project(contact)).collect();
             if held.is_empty() {
@@ -201,8 +206,10 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             }
             self.look();
         }
-        let depth = self.here.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
-        if depth > HELD_OVERLAP * self.nearby.size() { Err(Refused::Overlap { depth }) } else { Ok(()) }
+        // projections that fail may have made it deeper: what the bodies came with is said
+        let (left, allowed) = (depth(&self.here), HELD_OVERLAP * self.nearby.size());
+        let depth = if met > allowed { met } else { left };
+        if left > allowed { Err(Refused::Overlap { depth }) } else { Ok(()) }
     }
 
     /// A contact to put back: overlapping, or pressed and apart.
@@ -294,7 +301,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
         self.overlaps = self.deepest > 1e3 * self.touching;
         let mut total = Solved::nothing();
         let mut left = h;
-        let mut impacts = 0;
+        let (mut impacts, mut locations) = (0, 0);
         while left > 1e-12 * h {
             let impact = Impact { touching: self.touching, h, is_plastic: impacts >= MAX_IMPACTS };
             let held = |name: &ContactName| self.held.iter().any(|(held, _)| held == name);
@@ -309,15 +316,17 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
             }
             let r = self.seen(left);
             self.substep(r, &mut total)?;
-            if self.passed.is_empty() {
+            // what was to be held closed and is not even near is left to the projections
+            if self.passed.iter().all(|name| self.forced.contains(name)) {
                 self.accept()?;
                 left -= r;
                 continue;
             }
-            if impacts >= MAX_IMPACTS {
+            if impacts >= MAX_IMPACTS || locations >= MAX_LOCATIONS {
                 self.forced.append(&mut self.passed);
                 continue;
             }
+            locations += 1;
             left -= self.locate(r, &mut total)?;
         }
         std::mem::swap(state, &mut self.current);

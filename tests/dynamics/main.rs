@@ -2,7 +2,13 @@
 
 mod discrete;
 mod drives;
+mod drops;
+mod failures;
+mod hard_contacts;
+mod order;
 mod peers;
+mod peers_accuracy;
+mod properties;
 mod published;
 mod space;
 mod space_made;
