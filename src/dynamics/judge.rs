@@ -1,6 +1,6 @@
 //! What is said aloud of a run: overlaps at its start, and the first step at which forces do not exist or are not unique.
 
-use super::impulses::Forces;
+use super::forces::Forces;
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::paradox::{Paradox, Suspect, judge};

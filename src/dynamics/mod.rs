@@ -3,6 +3,7 @@
 mod collide;
 mod collide_spatial;
 mod contact;
+mod forces;
 mod impact;
 mod impulses;
 mod judge;
@@ -17,6 +18,8 @@ mod planar_follow;
 mod project;
 mod routh;
 mod run;
+mod single;
+mod solved;
 mod song_pang_kumar;
 mod spatial;
 mod spatial_pairs;

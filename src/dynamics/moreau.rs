@@ -5,13 +5,16 @@
 //! closes within a step ends a shorter one, and there the law of impact acts.
 
 use super::contact::Contact;
+use super::forces::Forces;
 use super::impact::Impact;
-use super::impulses::{Forces, FrictionCone, Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::project::{Held, project};
+use super::solved::{Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
+use super::stopped::first_root;
 use super::touches::Touches;
 use crate::answer::ContactName;
 use crate::model::World;
@@ -247,7 +250,8 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             gaps.fold(f64::INFINITY, f64::min)
         };
         let (mut high, mut at_high) = (r, least(&self.there));
-        let (mut low, mut at_low) = (0.0, least(&self.here));
+        let at_start = least(&self.here);
+        let (mut low, mut at_low) = (0.0, at_start);
         // what leaves and comes back within the substep is clear somewhere in between
         let mut clear = r;
         while at_low <= self.touching && clear > 1e-9 * r {
@@ -263,11 +267,16 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.forced.extend(&passed);
             return Ok(0.0);
         }
-        // regula falsi, Illinois
+        // the motion of a gap is close to a parabola through what is known of it: its root, then regula falsi, Illinois
+        let speed = self.here.iter().filter(|contact| passed.contains(&contact.name));
+        let speed = speed.map(|contact| contact.velocity(0, &self.current.velocities)).fold(f64::INFINITY, f64::min);
+        let parabola =
+            |length: f64, gap: f64| first_root(at_start, speed, (gap - at_start - speed * length) / (length * length));
+        let mut guess = if passed.len() == 1 && low == 0.0 { parabola(high, at_high) } else { None };
         let mut last_side = 0;
         for trial in 0..MAX_TRIALS {
             let gaps = if at_low.is_finite() { at_low - at_high } else { 0.0 };
-            let inside = high + at_high * (high - low) / gaps;
+            let inside = guess.take().unwrap_or(high + at_high * (high - low) / gaps);
             let at = if trial % 8 == 7 || !(inside > low && inside < high) { 0.5 * (low + high) } else { inside };
             self.substep(at, total)?;
             let gap = least(&self.there);

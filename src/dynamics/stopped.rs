@@ -2,10 +2,12 @@
 //! model, resets the velocity variables, and resumes time stepping".
 
 use super::contact::Contact;
+use super::forces::Forces;
 use super::impact::Impact;
-use super::impulses::{Forces, FrictionCone, Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
+use super::solved::{Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
 use super::stewart_trinkle::StewartTrinkle;
@@ -79,7 +81,7 @@ impl<'w, S: Mechanics> Stopped<'w, S> {
 }
 
 /// Smallest positive root of `gap + speed τ + pull τ²`.
-fn first_root(gap: f64, speed: f64, pull: f64) -> Option<f64> {
+pub(super) fn first_root(gap: f64, speed: f64, pull: f64) -> Option<f64> {
     let discriminant = speed * speed - 4.0 * pull * gap;
     if discriminant < 0.0 {
         return None;

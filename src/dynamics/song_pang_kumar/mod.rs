@@ -12,8 +12,8 @@ pub use check::SimulationError;
 pub(super) use check::{check, check_shapes};
 
 use super::contact::{Contact, dot};
-use super::impulses::{Fallbacks, Refused, Solved};
 use super::mechanics::Mechanics;
+use super::solved::{Fallbacks, Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
 use crate::answer::{ContactName, ContactState};
