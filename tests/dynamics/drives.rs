@@ -93,8 +93,7 @@ fn a_kinematic_finger_pushes_at_its_own_speed() {
 #[test]
 fn a_wrench_acts_from_its_time_on() {
     let mut part = body("part", rectangle(0.1, 0.05), [0.0, 1.0, 0.0]);
-    part.schedule =
-        vec![Timed { time: 0.0, value: [2.0, G, 0.01] }, Timed { time: 0.5, value: [0.0, G, 0.0] }];
+    part.schedule = vec![Timed { time: 0.0, value: [2.0, G, 0.01] }, Timed { time: 0.5, value: [0.0, G, 0.0] }];
     let world = world(vec![part], 0.0, 0.3, 1.0);
     let run = run(&world, ModelKind::Moreau, 1e-2);
     let ([x, y, angle], [vx, vy, spin]) = (run.last.poses[0], run.last.velocities[0]);
