@@ -20,7 +20,7 @@ fn shift(run: &Simulation<Spatial>, world: &World<Spatial>, body: usize) -> f64 
     pose(run, body).iter().zip(from).map(|(to, from)| (to - from).abs()).fold(0.0, f64::max)
 }
 
-/// A box dropped flat loses m g H and v = √(2 g H) at once, does not turn, and lies on four corners.
+/// A box dropped flat loses m g H and v = √(2 g H) at once, does not turn, and carries its weight on its corners.
 #[test]
 fn a_box_dropped_flat_rests_on_a_plane_and_on_a_box() {
     let half = [0.1, 0.06, 0.04];
@@ -34,7 +34,8 @@ fn a_box_dropped_flat_rests_on_a_plane_and_on_a_box() {
             assert!((end[2] - top - half[2]).abs() < 1e-8, "{model:?}: {}", end[2]);
             assert!((end[0] - 0.01).abs() < 1e-9 && (end[1] - 0.02).abs() < 1e-9);
             assert!(end[3] > 1.0 - 1e-12, "turned: {end:?}");
-            assert_eq!(run.last.touches.len(), 4, "{:?}", run.last.touches);
+            // which corners carry is not determined: a diagonal may do
+            assert!((2..=4).contains(&run.last.touches.len()), "{:?}", run.last.touches);
             let weight: f64 = run.last.touches.iter().map(|touch| touch.impulse[0]).sum();
             assert!((weight / 4e-3 - G).abs() < 1e-6);
             if model == ModelKind::Moreau {
@@ -232,10 +233,10 @@ fn collisions_keep_momentum() {
     }
 }
 
-/// A rectangle in the plane and a box in space that fall on an edge and tumble move alike.
+/// A rectangle in the plane and a box in space that fall on an edge and tumble move alike, but for how orientations advance.
 #[test]
 fn a_planar_scene_in_space_moves_as_in_the_plane() {
-    let (half, angle, h) = ([0.1, 0.05], 0.5, 5e-4);
+    let (half, angle, h) = ([0.1, 0.05], 0.5, 1e-4);
     let material = Material { friction: 0.4, restitution: Restitution::Newton(0.0), compliance: None };
     let inertia = (half[0] * half[0] + half[1] * half[1]) / 3.0;
     let corner = |x: f64, y: f64| [x * half[0], y * half[1]];
@@ -288,7 +289,7 @@ fn a_planar_scene_in_space_moves_as_in_the_plane() {
     let turned = -2.0 * libm::atan2(end[5], end[3]);
     let found = [end[0], end[2] - 0.1, turned];
     for (found, expected) in found.iter().zip(flat.poses[0]) {
-        assert!((found - expected).abs() < 1e-6, "{found} for {expected}: {end:?} {:?}", flat.poses[0]);
+        assert!((found - expected).abs() < 2e-6, "{found} for {expected}: {end:?} {:?}", flat.poses[0]);
     }
     assert!((flat.poses[0][2] - angle).abs() > 0.05, "it did not tumble");
     assert!(end[1].abs() < 1e-9);
