@@ -302,6 +302,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
         (self.h, self.deepest, self.corrected) = (h, 0.0, 0.0);
         self.current.clone_from(state);
+        self.current.drive(self.world);
         self.impulses.is_suspect = false;
         self.touches.clear();
         self.forced.clear();

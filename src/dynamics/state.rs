@@ -51,6 +51,13 @@ impl<S: Mechanics> State<S> {
         }
     }
 
+    /// Gives kinematic bodies the velocity of the time.
+    pub fn drive(&mut self, world: &World<S>) {
+        for (body, velocity) in world.bodies.iter().zip(&mut self.velocities).filter(|(body, _)| body.is_kinematic) {
+            *velocity = *body.scheduled(self.time).unwrap_or(&body.velocity);
+        }
+    }
+
     /// Moves every body at the mean of `(1 - weight) ν + weight ν'` for `h`, then takes the velocities `new`.
     pub fn advance(&mut self, h: f64, weight: f64, new: &[S::Velocity]) {
         for ((pose, velocity), new) in self.poses.iter_mut().zip(&mut self.velocities).zip(new) {

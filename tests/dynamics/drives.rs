@@ -118,6 +118,6 @@ fn bounces_follow_the_law_of_impact() {
         let error = |model, step| scene.error(&run(world, model, step));
         assert!(error(ModelKind::Moreau, 1e-2) < 1e-8);
         let [coarse, fine] = [1e-3, 1e-4].map(|step| error(ModelKind::StewartTrinkle, step));
-        assert!(coarse < 3e-2 && fine < coarse / 5.0, "{coarse} {fine}");
+        assert!(coarse < 6e-2 && fine < coarse / 5.0, "{coarse} {fine}");
     }
 }
