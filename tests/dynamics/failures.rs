@@ -197,3 +197,23 @@ fn a_wall_too_soft_is_refused() {
         assert!((x + 0.002).abs() < 1e-12, "{model:?}: {x}");
     }
 }
+
+/// Overlaps of compliant contacts are springs: 1 mm lifts a block no higher than their 0.05 J, a peg 2 mm too wide is held
+/// by friction where it stands, one 2 nm too wide falls as if free.
+#[test]
+fn compliant_overlaps_are_springs() {
+    let at_end = |name: &str| {
+        let run = at(&with_compliance(stability(name)), ModelKind::SongPangKumar, Some(1e-4));
+        assert_eq!(run.status, Status::Complete, "{name}: {:?}", run.notes);
+        assert!(run.energy.largest_gain < 1e-12, "{name}: {:e} J", run.energy.largest_gain);
+        run
+    };
+    let highest = at_end("overlap").frames.iter().map(|frame| frame.poses[0][1]).fold(0.0, f64::max);
+    assert!((0.05..=0.05 + 0.05 / 9.81).contains(&highest), "{highest}");
+    // four corners, 50 N each, rub with up to 60 N; 0.1 kg at 0.1 m/s goes 0.07 mm against their tangential springs
+    let [_, y, _] = at_end("jam").last.poses[0];
+    assert!(y.abs() < 1e-4, "{y}");
+    // 5e-5 N at each corner, 0.98 N of weight; the step adds h g T / 2
+    let ([_, y, _], [_, vy, _]) = (at_end("snug").last.poses[0], at_end("snug").last.velocities[0]);
+    assert!((vy + 1.081).abs() < 1e-4 && (y + 0.059_05 + 4.9e-5).abs() < 1e-5, "{y}, {vy}");
+}
