@@ -1,17 +1,18 @@
 //! Exact planner for feeding, orienting and fixturing parts.
 //!
-//! One JSON case describes a part; a planner answers in exact arithmetic what is guaranteed to happen to it.
+//! One JSON case describes a part; a planner answers in exact arithmetic what is guaranteed to happen to it. A scene
+//! describes bodies; a time-stepper answers in doubles, verified step by step, how they move.
 //!
 //! ```text
-//! text -> case -> model -> planner -> answer -> report -> text
-//!                   |        |
-//!                geometry  mechanics
-//!                   |        |
-//!                 exact    cone
+//! text -> case -> model -> planner ------> answer -> report -> text
+//!                   |        |                |
+//!                geometry  mechanics       dynamics
+//!                   |        |                |
+//!                 exact    cone         complementarity
 //! ```
 //!
-//! Data flows one way. Floats occur where pictures are drawn and where a function says so in its name, never in a
-//! decision.
+//! Data flows one way. Floats occur in the time-steppers, where pictures are drawn and where a function says so in its
+//! name, never in a planner's decision.
 
 pub mod answer;
 pub mod case;

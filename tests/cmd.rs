@@ -9,8 +9,11 @@ fn documented_commands_print_what_is_documented() {
 #[test]
 fn readme_shows_what_the_plans_print() {
     let readme = include_str!("../README.md");
-    let examples =
-        [("cargo run --release -- insert", "insert", "pawl", "\n$ "), ("plan pins", "pins", "three_pins", "```")];
+    let examples = [
+        ("cargo run --release -- insert", "insert", "pawl", "\n$ "),
+        ("plan pins", "pins", "three_pins", "```"),
+        ("plan simulate", "simulate", "peg_drop", "```"),
+    ];
     for (start, command, case, end) in examples {
         let case = format!("cases/{case}.json");
         let (_, rest) = readme.split_once(&format!("$ {start} {case}\n")).expect("README shows the command");
@@ -28,6 +31,7 @@ fn the_pictures_in_readme_are_those_drawn_today() {
     let pictures = [
         ("insert", "pawl", include_str!("../cases/pawl.svg")),
         ("pins", "three_pins", include_str!("../cases/three_pins.svg")),
+        ("simulate", "peg_drop", include_str!("../cases/peg_drop.svg")),
     ];
     for (command, case, shown) in pictures {
         let drawn = folder.join("drawn.svg");

@@ -112,9 +112,9 @@ pub struct ContactName {
 pub enum Feature {
     /// A vertex, by its number in the outline (pieces of a compound one after the other).
     Vertex(u32),
-    /// An edge or face, by its first vertex.
+    /// An edge or face in the plane, by its first vertex; an edge of a box, by its axis and place.
     Edge(u32),
-    /// The surface of a disc, ball, half plane or half space, by its piece.
+    /// The surface of a disc, ball, half plane or half space, by its piece; a face of a box, from 1 on.
     Surface(u32),
 }
 

@@ -171,6 +171,7 @@ impl Args {
             recovery_speed: self.recovery_speed,
             frames: self.frames,
             max_steps: self.max_steps,
+            forces: true,
             ..defaults
         }
     }

@@ -1,9 +1,10 @@
 //! Laws of impact: Newton's and Poisson's, all contacts that touch at once.
 
 use super::contact::{Contact, add_scaled};
-use super::impulses::{Impulses, Refused, SLIPPING, Solved};
+use super::impulses::{Impulses, SLIPPING};
 use super::mechanics::Mechanics;
 use super::routh::SingleImpact;
+use super::solved::{Refused, Solved};
 use super::state::State;
 use crate::answer::ContactName;
 use crate::model::{Restitution, World};

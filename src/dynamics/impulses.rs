@@ -1,14 +1,13 @@
 //! The contact problem of a step: which impulses make the velocities admissible, equations (10)-(13).
 
 use super::contact::{Contact, add_scaled, dot};
+use super::forces::{Forces, exact_problem, forces};
 use super::mechanics::Mechanics;
+use super::single::{ball, planar};
+use super::solved::{Refused, Solved};
 use crate::answer::ContactName;
-use crate::complementarity::{
-    Basis, Enumeration, ExactLcp, Factors, Lcp, LcpError, Proof, Rung, Solver, Undecided, Verdict, enumerate,
-};
-use crate::exact::to_f64;
+use crate::complementarity::{Basis, Lcp, Solver, Verdict};
 use crate::model::World;
-use std::collections::BTreeSet;
 
 /// Most times that friction cones are turned in one problem.
 const MAX_ALIGNMENTS: usize = 20;
@@ -18,12 +17,6 @@ const ALIGNED: f64 = 1e-9;
 
 /// Slip, relative to the speeds that meet at a contact, that is told from rounding.
 pub(super) const SLIPPING: f64 = 1e-9;
-
-/// Most contacts and most variables of a problem whose solutions are all looked for, and most complementary cases looked
-/// at for them: a ball on a cone of 16 edges has 18 variables, and all its cases take seconds.
-const MAX_ENUMERATED: usize = 3;
-const MAX_VARIABLES: usize = 12;
-const MAX_CASES: usize = 4096;
 
 /// How Coulomb's cone is met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,6 +101,15 @@ impl<S: Mechanics> Impulses<S> {
         self.is_suspect |= self.suspects(contacts, n_rows);
         self.edges.clear();
         contacts.iter().for_each(|_| self.edges.extend_from_slice(&self.directions));
+        if let ([contact], [], false) = (contacts, pressed, self.is_suspect)
+            && let Some((impulse, residual)) = self.single(contact, offset[0], velocities, n_rows)
+        {
+            self.warm_names.clear();
+            self.answer.clear();
+            self.answer.push(impulse);
+            self.apply(contacts, velocities, n_rows);
+            return Ok(Solved { residual, problems: 1, closed: 1, ..Solved::nothing() });
+        }
         if self.cone == FrictionCone::Edges || n_rows == 1 {
             self.assemble(contacts, offset, pressed, velocities, n_rows);
             let solved = self.complement(world, poses, contacts)?;
@@ -127,6 +129,33 @@ impl<S: Mechanics> Impulses<S> {
             }
         }
         Ok(total)
+    }
+
+    /// The only contact of a problem in closed form, where there is one; q of (13) is kept beside it.
+    fn single(
+        &mut self,
+        contact: &Contact<S>,
+        offset: f64,
+        free: &[S::Velocity],
+        n_rows: usize,
+    ) -> Option<([f64; 3], f64)> {
+        let normal = contact.velocity(0, free) + offset;
+        let mu = contact.material.friction;
+        match (n_rows, self.cone) {
+            (2, _) => {
+                let slip = contact.velocity(1, free);
+                self.q.clear();
+                self.q.extend([normal, slip, -slip, 0.0]);
+                let [nn, nt, _, tt] = self.gram[..] else { return None };
+                planar([nn, nt, tt], [normal, slip], mu)
+            }
+            (3, FrictionCone::Disc) => {
+                let slip = [contact.velocity(1, free), contact.velocity(2, free)];
+                let gram: &[f64; 9] = self.gram[..].try_into().ok()?;
+                ball(gram, normal, slip, mu)
+            }
+            _ => None,
+        }
     }
 
     /// Turns the cone of each contact that slips so that an edge lies against its slip; returns the largest turn.
@@ -299,29 +328,9 @@ impl<S: Mechanics> Impulses<S> {
 
     /// All normal forces that the last problem allows, for a step of length `h`; `contacts` are those of the problem.
     pub fn forces(&self, world: &World<S>, poses: &[S::Pose], contacts: &[Contact<S>], h: f64) -> Option<Forces> {
-        if contacts.is_empty() || contacts.len() != self.answer.len() {
-            return None;
-        }
-        // more contacts than velocities: their normals are dependent, whatever else holds
-        let freedoms = S::Velocity::default().as_ref().len();
-        let is_free = |body: usize| !world.bodies[body].is_kinematic;
-        let bodies: BTreeSet<usize> = contacts.iter().flat_map(Contact::sides).map(|(body, _)| body).collect();
-        let n_velocities = freedoms * bodies.into_iter().filter(|body| is_free(*body)).count();
-        if contacts.len() > n_velocities {
-            return Some(Forces { ranges: Vec::new(), surplus: Some((contacts.len(), n_velocities)) });
-        }
-        if contacts.len() > MAX_ENUMERATED || self.q.len() > MAX_VARIABLES {
-            return None;
-        }
-        let lcp = exact_problem(world, poses, contacts, &self.edges, &self.q).ok()?;
-        let Enumeration::Complete(all) = enumerate(&lcp, MAX_CASES) else {
-            return None;
-        };
-        let ranges = contacts.iter().enumerate().filter_map(|(i, contact)| {
-            let range = all.range(i)?;
-            Some((contact.name, to_f64(&range.min) / h, range.max.as_ref().map(|max| to_f64(max) / h)))
-        });
-        Some(Forces { ranges: ranges.collect(), surplus: None })
+        let size = contacts.len() * if self.directions.is_empty() { 1 } else { self.directions.len() + 2 };
+        let is_last = contacts.len() == self.answer.len() && self.q.len() == size;
+        if is_last { forces(world, poses, contacts, &self.edges, &self.q, h) } else { None }
     }
 
     fn apply(&self, contacts: &[Contact<S>], velocities: &mut [S::Velocity], n_rows: usize) {
@@ -334,121 +343,4 @@ impl<S: Mechanics> Impulses<S> {
             }
         }
     }
-}
-
-/// The normal forces of all solutions of a contact problem.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Forces {
-    /// Least and greatest of each contact (N); the greatest is `None` where there is none.
-    pub ranges: Vec<(ContactName, f64, Option<f64>)>,
-    /// Number of contacts and of velocities, where there are more contacts: the forces are then never determined.
-    pub surplus: Option<(usize, usize)>,
-}
-
-/// How the contact problems of a step were solved.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Solved {
-    pub residual: f64,
-    pub pivots: usize,
-    pub rung: Rung,
-    pub problems: usize,
-    pub impacts: usize,
-    pub fastest_impact: f64,
-    /// A contact whose slip reversed inside an impact, with its slip after it by the step and by Routh's law (m/s).
-    pub reversal: Option<(ContactName, [f64; 2])>,
-    pub fallbacks: Fallbacks,
-}
-
-/// What a step needed besides its first attempt.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Fallbacks {
-    /// Problems that the answers for shorter steps led to.
-    pub continued: usize,
-    /// Steps that were halved.
-    pub divided: usize,
-}
-
-impl Solved {
-    pub fn nothing() -> Self {
-        let fallbacks = Fallbacks::default();
-        Self {
-            residual: 0.0,
-            pivots: 0,
-            rung: Rung::Free,
-            problems: 0,
-            impacts: 0,
-            fastest_impact: 0.0,
-            reversal: None,
-            fallbacks,
-        }
-    }
-
-    /// Adds the work of another problem of the same step.
-    pub fn add(&mut self, other: Self) {
-        self.residual = self.residual.max(other.residual);
-        self.pivots += other.pivots;
-        self.rung = self.rung.max(other.rung);
-        self.problems += other.problems;
-        self.impacts += other.impacts;
-        self.reversal = self.reversal.or(other.reversal);
-        self.fastest_impact = self.fastest_impact.max(other.fastest_impact);
-        self.fallbacks.continued += other.fallbacks.continued;
-        self.fallbacks.divided += other.fallbacks.divided;
-    }
-}
-
-/// Why a contact problem was not solved.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Refused {
-    /// Proved: no impulses are admissible.
-    NoSolution(Proof),
-    /// Given up at a limit.
-    Undecided(Undecided),
-    /// The numbers are no problem at all: something overflowed.
-    Broken(LcpError),
-    /// Bodies overlap by this much and cannot be moved apart (m).
-    Overlap { depth: f64 },
-    /// The equation of a compliant step was not solved, however short the step.
-    Unsolved,
-    /// A contact so soft that a body would be `depth` deep in another, beyond `half` its thickness (m).
-    TooSoft { depth: f64, half: f64 },
-}
-
-impl From<LcpError> for Refused {
-    fn from(error: LcpError) -> Self {
-        Self::Broken(error)
-    }
-}
-
-/// The problem as it is, from rows and masses: a rounded M would ask another question.
-fn exact_problem<S: Mechanics>(
-    world: &World<S>,
-    poses: &[S::Pose],
-    contacts: &[Contact<S>],
-    edges: &[[f64; 2]],
-    q: &[f64],
-) -> Result<ExactLcp, LcpError> {
-    let dof = S::Velocity::default().as_ref().len();
-    let n_v = dof * world.bodies.len();
-    let mut jacobian = Vec::new();
-    let mut push = |contact: &Contact<S>, factors: [f64; 3]| {
-        let start = jacobian.len();
-        jacobian.resize(start + n_v, 0.0);
-        for (body, rows) in contact.sides() {
-            let mut row = S::Velocity::default();
-            for (factor, from) in factors.iter().zip(rows.as_ref()) {
-                add_scaled(&mut row, *factor, from);
-            }
-            let row = S::principal(&world.bodies[body], &poses[body], &row);
-            jacobian[start + dof * body..][..dof].copy_from_slice(row.as_ref());
-        }
-    };
-    contacts.iter().for_each(|contact| push(contact, [1.0, 0.0, 0.0]));
-    let n_l = edges.len() / contacts.len().max(1);
-    for (i, contact) in contacts.iter().enumerate() {
-        edges[i * n_l..(i + 1) * n_l].iter().for_each(|[t, o]| push(contact, [0.0, *t, *o]));
-    }
-    let inverse_mass: Vec<f64> = world.bodies.iter().flat_map(|body| S::inverse_mass(body).as_ref().to_vec()).collect();
-    let mu: Vec<f64> = contacts.iter().map(|contact| contact.material.friction).collect();
-    Factors { jacobian: &jacobian, inverse_mass: &inverse_mass, mu: &mu, directions: n_l, q }.to_exact()
 }

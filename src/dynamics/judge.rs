@@ -1,6 +1,6 @@
 //! What is said aloud of a run: overlaps at its start, and the first step at which forces do not exist or are not unique.
 
-use super::impulses::Forces;
+use super::forces::Forces;
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::paradox::{Paradox, Suspect, judge};
@@ -10,6 +10,11 @@ use crate::model::World;
 
 /// Most judgements in one run; each decides a small problem exactly.
 const MAX_JUDGEMENTS: usize = 100;
+
+/// A number with six digits, as notes say it.
+pub(super) fn short(value: f64) -> String {
+    format!("{value:.5e}").parse::<f64>().unwrap_or(value).to_string()
+}
 
 /// Judges the states of a run.
 #[derive(Debug)]
@@ -56,7 +61,7 @@ impl<'w, S: Mechanics> Judge<'w, S> {
         self.is_settled = true;
         let (Paradox::Inconsistent(suspect) | Paradox::Ambiguous(suspect, _)) = found;
         let Suspect { name, compliance, free } = suspect;
-        let (name, time) = (self.name(&name), before.time);
+        let (name, time) = (self.name(&name), short(before.time));
         let why = format!("normal compliance {compliance:.4} /kg, free normal acceleration {free:.3} m/s²");
         Some(match found {
             Paradox::Inconsistent(_) => (
@@ -79,8 +84,9 @@ impl<'w, S: Mechanics> Judge<'w, S> {
     /// A slip that reversed inside an impact, said.
     pub fn reversal(&self, time: f64, (name, [step, routh]): (ContactName, [f64; 2])) -> String {
         format!(
-            "at {time} s the slip between {} reverses inside an impact: {step:.4} m/s after it, by Routh's law {routh:.4} m/s; \
+            "at {} s the slip between {} reverses inside an impact: {step:.4} m/s after it, by Routh's law {routh:.4} m/s; \
              laws of impact do not agree on it",
+            short(time),
             self.name(&name)
         )
     }

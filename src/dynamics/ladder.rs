@@ -37,14 +37,14 @@ pub(super) fn climb<S: Mechanics>(
     } else {
         ("moreau", format!("the largest coefficient of friction is {friction}, above 0"))
     };
-    let mut why = vec![reason];
+    let mut rigid_why = vec![reason.clone()];
     let e = world.materials.iter().map(|material| material.restitution.coefficient()).fold(0.0, f64::max);
-    why.push(match e {
+    rigid_why.push(match e {
         0.0 => "nothing restitutes: impacts are located and plastic".to_string(),
         e => format!("the largest coefficient of restitution is {e}: impacts are located, and bounce"),
     });
     let first = world.duration / FIRST_STEPS;
-    let mut rigid = refined(world, options, first, &why, |choice| {
+    let mut rigid = refined(world, options, first, &rigid_why, |choice| {
         run(world, options, ModelChoice { chosen, ..choice }, &mut Moreau::new(world), watch)
     });
     let has_compliance = world.materials.iter().any(|material| material.compliance.is_some());
@@ -63,6 +63,7 @@ pub(super) fn climb<S: Mechanics>(
             .push(format!("contacts give way by at most {give:.2e} m, within the tolerance of {tolerance} m: rigid"));
         return Ok(rigid);
     }
+    let mut why = vec![reason];
     why.push(if rigid.status == Status::Complete {
         format!("contacts give way by up to {give:.2e} m, more than the tolerance of {tolerance} m: compliant")
     } else {
@@ -76,7 +77,8 @@ pub(super) fn climb<S: Mechanics>(
         let mut stepper = SongPangKumar::new(world, options.second_order);
         run(world, options, ModelChoice { chosen: "spk", ..choice }, &mut stepper, watch)
     });
-    compliant.notes.splice(0..0, song_pang_kumar::notes(world));
+    let step = compliant.model.step;
+    compliant.notes.splice(0..0, song_pang_kumar::notes(world, step, options.second_order));
     Ok(compliant)
 }
 

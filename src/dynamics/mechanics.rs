@@ -59,6 +59,10 @@ pub trait Mechanics: Space {
     #[doc(hidden)]
     fn potential(gravity: &Self::Vector, pose: &Self::Pose) -> f64;
 
+    /// The displacement from one pose to another: translation, and turn about the center of mass as a rotation vector.
+    #[doc(hidden)]
+    fn displacement(from: &Self::Pose, to: &Self::Pose) -> Self::Velocity;
+
     /// A distance that no point of a body of this radius is farther from in one pose than in the other (m).
     #[doc(hidden)]
     fn separation(radius: f64, a: &Self::Pose, b: &Self::Pose) -> f64;
@@ -89,6 +93,10 @@ pub trait Mechanics: Space {
         wrench: &Self::Velocity,
         velocity: &Self::Velocity,
     ) -> Self::Velocity;
+
+    /// Whether bodies cannot have this shape: nothing finds what they would touch.
+    #[doc(hidden)]
+    fn is_fixed_only(shape: &Self::Shape) -> bool;
 
     /// Half the least thickness of a shape (m); infinite for what lies below a line or plane.
     #[doc(hidden)]

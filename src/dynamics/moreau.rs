@@ -5,13 +5,17 @@
 //! closes within a step ends a shorter one, and there the law of impact acts.
 
 use super::contact::Contact;
+use super::forces::Forces;
 use super::impact::Impact;
-use super::impulses::{Forces, FrictionCone, Impulses, Refused, Solved};
+use super::impulses::{FrictionCone, Impulses};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
 use super::project::{Held, project};
+use super::solved::{Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
+use super::stopped::first_root;
+use super::touches::Touches;
 use crate::answer::ContactName;
 use crate::model::World;
 
@@ -57,7 +61,7 @@ pub(super) struct Moreau<'w, S: Mechanics> {
     /// What the substep passed through.
     passed: Vec<ContactName>,
     /// Impulses of the whole step by contact, and when each began.
-    touches: Vec<(Contact<S>, [f64; 3], f64)>,
+    touches: Touches<S>,
     /// A gap up to this counts as touching (m).
     touching: f64,
     /// Least distance over which one outline can pass through another unseen (m).
@@ -93,7 +97,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             held: Vec::new(),
             forced: Vec::new(),
             passed: Vec::new(),
-            touches: Vec::new(),
+            touches: Touches::default(),
             touching,
             thinnest,
             substep: 0.0,
@@ -187,7 +191,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
         let time = self.current.time - self.substep;
         for (contact, impulse) in self.closed.iter().zip(answer) {
             self.held.push((contact.name, impulse[0] > 0.0));
-            add_touch(&mut self.touches, contact, *impulse, time);
+            self.touches.add(contact, *impulse, time);
         }
         let depth = |contacts: &[Contact<S>]| contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
         let met = depth(&self.here);
@@ -246,7 +250,8 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             gaps.fold(f64::INFINITY, f64::min)
         };
         let (mut high, mut at_high) = (r, least(&self.there));
-        let (mut low, mut at_low) = (0.0, least(&self.here));
+        let at_start = least(&self.here);
+        let (mut low, mut at_low) = (0.0, at_start);
         // what leaves and comes back within the substep is clear somewhere in between
         let mut clear = r;
         while at_low <= self.touching && clear > 1e-9 * r {
@@ -262,11 +267,16 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.forced.extend(&passed);
             return Ok(0.0);
         }
-        // regula falsi, Illinois
+        // the motion of a gap is close to a parabola through what is known of it: its root, then regula falsi, Illinois
+        let speed = self.here.iter().filter(|contact| passed.contains(&contact.name));
+        let speed = speed.map(|contact| contact.velocity(0, &self.current.velocities)).fold(f64::INFINITY, f64::min);
+        let parabola =
+            |length: f64, gap: f64| first_root(at_start, speed, (gap - at_start - speed * length) / (length * length));
+        let mut guess = if passed.len() == 1 && low == 0.0 { parabola(high, at_high) } else { None };
         let mut last_side = 0;
         for trial in 0..MAX_TRIALS {
             let gaps = if at_low.is_finite() { at_low - at_high } else { 0.0 };
-            let inside = high + at_high * (high - low) / gaps;
+            let inside = guess.take().unwrap_or(high + at_high * (high - low) / gaps);
             let at = if trial % 8 == 7 || !(inside > low && inside < high) { 0.5 * (low + high) } else { inside };
             self.substep(at, total)?;
             let gap = least(&self.there);
@@ -310,7 +320,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
                 let struck =
                     impact.strike(self.world, &mut self.impulses, &self.here, &mut self.current, &mut total)?;
                 for (contact, impulse) in struck {
-                    add_touch(&mut self.touches, &contact, impulse, self.current.time);
+                    self.touches.add(&contact, impulse, self.current.time);
                 }
             }
             let r = self.seen(left);
@@ -333,7 +343,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     }
 
     fn touches(&self) -> impl Iterator<Item = (&Contact<S>, [f64; 3])> {
-        self.touches.iter().map(|(contact, impulse, _)| (contact, *impulse))
+        self.touches.iter()
     }
 
     fn deepest(&self) -> f64 {
@@ -345,7 +355,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
     }
 
     fn touched_at(&self, name: &ContactName) -> Option<f64> {
-        self.touches.iter().find(|(contact, ..)| contact.name == *name).map(|(.., time)| *time)
+        self.touches.since(name)
     }
 
     fn forces(&self, world: &World<S>, state: &State<S>) -> Option<Forces> {
@@ -354,20 +364,5 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
 
     fn is_suspect(&self) -> bool {
         self.impulses.is_suspect
-    }
-}
-
-fn add_touch<S: Mechanics>(
-    touches: &mut Vec<(Contact<S>, [f64; 3], f64)>,
-    contact: &Contact<S>,
-    impulse: [f64; 3],
-    time: f64,
-) {
-    match touches.iter_mut().find(|(known, ..)| known.name == contact.name) {
-        Some((known, sum, _)) => {
-            *known = *contact;
-            (0..3).for_each(|row| sum[row] += impulse[row]);
-        }
-        None => touches.push((*contact, impulse, time)),
     }
 }

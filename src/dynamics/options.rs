@@ -14,6 +14,9 @@ pub struct Options {
     /// Whether compliant contacts are stepped by a scheme of second order where their dashpots allow it, instead of
     /// the paper's first-order one.
     pub second_order: bool,
+    /// Whether to look for all forces that the last step allows, where contacts are rigid: they may be many that move the
+    /// bodies alike, which a note then says.
+    pub forces: bool,
     /// Most frames kept, evenly spaced.
     pub frames: usize,
     /// Most steps, substeps counted.
@@ -28,6 +31,7 @@ impl Default for Options {
             tolerance: 1e-3,
             recovery_speed: None,
             second_order: false,
+            forces: false,
             frames: 2_000,
             max_steps: 50_000_000,
         }

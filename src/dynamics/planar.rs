@@ -105,6 +105,10 @@ impl Mechanics for Planar {
         -(gravity[0] * pose[0] + gravity[1] * pose[1])
     }
 
+    fn displacement(from: &[f64; 3], to: &[f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| to[i] - from[i])
+    }
+
     fn separation(radius: f64, a: &[f64; 3], b: &[f64; 3]) -> f64 {
         distance([a[0], a[1]], [b[0], b[1]]) + radius * (a[2] - b[2]).abs()
     }
@@ -134,6 +138,10 @@ impl Mechanics for Planar {
 
     fn swing(point: &[f64; 2], pose: &[f64; 3], wrench: &[f64; 3], velocity: &[f64; 3]) -> [f64; 3] {
         planar_follow::swing(point, pose, wrench, velocity)
+    }
+
+    fn is_fixed_only(shape: &PlanarShape) -> bool {
+        pieces(shape).iter().any(|piece| matches!(piece.kind, Kind::HalfPlane { .. }))
     }
 
     fn half_thickness(shape: &PlanarShape) -> f64 {

@@ -1,10 +1,11 @@
 //! A run from start to end: steps, and what is worth keeping of them.
 
 use super::contact::{Contact, dot};
-use super::impulses::{Refused, SLIPPING, Solved};
-use super::judge::Judge;
+use super::impulses::SLIPPING;
+use super::judge::{Judge, short};
 use super::mechanics::Mechanics;
 use super::options::Options;
+use super::solved::{Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
 use crate::answer::{
@@ -63,6 +64,7 @@ pub(super) fn run<S: Mechanics>(
         }
     }
     if status == Status::Complete
+        && options.forces
         && let Some(forces) = stepper.forces(world, &state)
     {
         log.notes.extend(judge.forces(&forces));
@@ -90,6 +92,7 @@ struct Log<S: Mechanics> {
     penetration: (f64, f64),
     solver: SolverStatistics,
     rungs: [usize; Rung::ALL.len()],
+    closed: usize,
     continued: usize,
     notes: Vec<String>,
 }
@@ -108,6 +111,7 @@ impl<S: Mechanics> Log<S> {
             penetration: (0.0, 0.0),
             solver: SolverStatistics::default(),
             rungs: [0; Rung::ALL.len()],
+            closed: 0,
             continued: 0,
             notes: Vec::new(),
         }
@@ -129,7 +133,9 @@ impl<S: Mechanics> Log<S> {
         self.solver.residual = self.solver.residual.max(solved.residual);
         self.solver.subdivided += solved.fallbacks.divided;
         self.continued += solved.fallbacks.continued;
-        if solved.problems > 0 {
+        if solved.problems > 0 && solved.closed == solved.problems {
+            self.closed += 1;
+        } else if solved.problems > 0 {
             self.rungs[solved.rung as usize] += 1;
         }
         if stepper.deepest() > self.penetration.0 {
@@ -189,6 +195,7 @@ impl<S: Mechanics> Log<S> {
 
     /// Says why a step was refused.
     fn refused(&mut self, time: f64, refused: &Refused) -> Status {
+        let time = short(time);
         let (what, status) = match refused {
             Refused::NoSolution(_) => {
                 ("no impulses are admissible: bodies overlap and are held so", Status::Inconsistent)
@@ -204,8 +211,10 @@ impl<S: Mechanics> Log<S> {
             }
             Refused::TooSoft { depth, half } => {
                 self.notes.push(format!(
-                    "at {time} s a contact is about to give way by up to {depth} m, more than half the thickness, \
-                     {half} m: it is too soft to keep the bodies apart"
+                    "at {time} s a contact is about to give way by up to {} m, more than half the thickness, {} m: it is too \
+                     soft to keep the bodies apart",
+                    short(*depth),
+                    short(*half)
                 ));
                 return Status::Partial;
             }
@@ -231,6 +240,9 @@ impl<S: Mechanics> Log<S> {
         self.solver.rungs = used.map(|(rung, count)| (rung.name(), count)).collect();
         if self.solver.subdivided > 0 {
             self.notes.push(format!("{} times a step was halved to be solved", self.solver.subdivided));
+        }
+        if self.closed > 0 {
+            self.solver.rungs.insert(0, ("closed form", self.closed));
         }
         if self.continued > 0 {
             self.solver.rungs.push(("continued", self.continued));
@@ -269,11 +281,11 @@ pub(super) fn contact_state<S: Mechanics>(
 
 /// Work of applied wrenches, moving surfaces and kinematic bodies in a step (J).
 fn work<S: Mechanics>(world: &World<S>, before: &State<S>, after: &State<S>, stepper: &impl Stepper<S>) -> f64 {
-    let h = after.time - before.time;
     let mut work = 0.0;
-    for (body, velocity) in world.bodies.iter().zip(&after.velocities).filter(|(body, _)| !body.is_kinematic) {
+    let poses = before.poses.iter().zip(&after.poses);
+    for (body, (from, to)) in world.bodies.iter().zip(poses).filter(|(body, _)| !body.is_kinematic) {
         if let Some(applied) = body.scheduled(before.time) {
-            work += h * dot(applied, velocity);
+            work += dot(applied, &S::displacement(from, to));
         }
     }
     for (contact, impulse) in stepper.touches() {

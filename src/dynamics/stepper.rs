@@ -1,9 +1,10 @@
 //! What the run asks of a time-stepping scheme.
 
 use super::contact::Contact;
-use super::impulses::{Forces, Refused, Solved};
+use super::forces::Forces;
 use super::mechanics::Mechanics;
 use super::run::contact_state;
+use super::solved::{Refused, Solved};
 use super::state::State;
 use crate::answer::{ContactName, ContactState};
 use crate::model::World;

@@ -1,9 +1,11 @@
 //! Stewart and Trinkle's step, equations (10)-(13): semi-implicit, gaps closed at the end of the step.
 
 use super::contact::Contact;
-use super::impulses::{Forces, FrictionCone, Impulses, Refused, Solved};
+use super::forces::Forces;
+use super::impulses::{FrictionCone, Impulses};
 use super::mechanics::Mechanics;
 use super::nearby::Nearby;
+use super::solved::{Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
 use crate::model::World;

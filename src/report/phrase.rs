@@ -150,7 +150,10 @@ pub(super) fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Stri
     match answer.status {
         Status::Complete => ended,
         Status::Ambiguous => format!("{ended}, by one of several motions that the model allows"),
-        Status::Inconsistent => format!("no motion is possible at some step: {ended}"),
+        Status::Inconsistent if answer.time < run.world.duration => {
+            format!("no motion is possible at some step: {ended}")
+        }
+        Status::Inconsistent => format!("no finite force is consistent with some step of it: {ended}"),
         Status::Partial => {
             format!("stopped before the {} s asked for: {ended}", decimal::near(run.world.duration, 4))
         }

@@ -1,6 +1,7 @@
 //! The time-steppers against the published scenes, closed forms and invariants.
 
 mod discrete;
+mod drives;
 mod drops;
 mod failures;
 mod hard_contacts;
@@ -9,6 +10,9 @@ mod peers;
 mod peers_accuracy;
 mod properties;
 mod published;
+mod space;
+mod space_made;
+mod space_oracle;
 mod spk_accuracy;
 mod spk_fallback;
 mod spk_full_form;

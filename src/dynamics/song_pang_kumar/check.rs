@@ -1,5 +1,6 @@
 //! Whether a scene can be stepped with compliant contacts, and what in it is too soft to mean much.
 
+use super::super::judge::short;
 use super::super::mechanics::Mechanics;
 use crate::model::{Body, Space, World};
 
@@ -7,6 +8,12 @@ use crate::model::{Body, Space, World};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulationError {
+    /// A body is a half plane or half space, which only fixed things can be.
+    #[error("body {body} has no other side: only fixed things can be half planes or half spaces")]
+    FixedOnly {
+        /// Number of the body.
+        body: usize,
+    },
     /// The model needs compliance and the material between these two has none.
     #[error("bodies {body} and {other} can touch, and their material has no stiffness and damping")]
     NoCompliance {
@@ -23,6 +30,14 @@ pub enum SimulationError {
         /// A body after it, or the number of bodies plus that of an obstacle.
         other: usize,
     },
+}
+
+/// Every body has a shape whose contacts are found.
+pub(in crate::dynamics) fn check_shapes<S: Mechanics>(world: &World<S>) -> Result<(), SimulationError> {
+    match world.bodies.iter().position(|body| S::is_fixed_only(&body.shape)) {
+        Some(body) => Err(SimulationError::FixedOnly { body }),
+        None => Ok(()),
+    }
 }
 
 /// Every pair that can touch has a usable compliance.
@@ -62,15 +77,18 @@ pub(in crate::dynamics) fn notes<S: Mechanics>(world: &World<S>) -> Vec<String> 
             let sink = mass * gravity / compliance.stiffness[0];
             if sink > half {
                 notes.push(format!(
-                    "{name} on {with} sinks by {sink} m under its weight, more than half the thickness, {half} m"
+                    "{name} on {with} sinks by {} m under its weight, more than half the thickness, {} m",
+                    short(sink),
+                    short(half)
                 ));
             }
             let speed = S::fastest(0.0, velocity);
             let depth = speed * (mass / compliance.stiffness[0]).sqrt().min(mass / compliance.damping[0]);
             if depth > half {
                 notes.push(format!(
-                    "at its first speed {name} would be up to {depth} m deep in {with}, more than half the thickness, \
-                     {half} m"
+                    "at its first speed {name} would be up to {} m deep in {with}, more than half the thickness, {} m",
+                    short(depth),
+                    short(half)
                 ));
             }
         }

@@ -1,5 +1,6 @@
 //! Song, Pang and Kumar's step, equations (14)-(17): fully implicit, contacts visco-elastic.
 
+mod bounce;
 mod check;
 mod climb;
 mod law;
@@ -8,11 +9,11 @@ mod newton;
 mod solve;
 
 pub use check::SimulationError;
-pub(super) use check::{check, notes};
+pub(super) use check::{check, check_shapes};
 
 use super::contact::{Contact, dot};
-use super::impulses::{Fallbacks, Refused, Solved};
 use super::mechanics::Mechanics;
+use super::solved::{Fallbacks, Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
 use crate::answer::{ContactName, ContactState};
@@ -45,6 +46,13 @@ pub(super) struct SongPangKumar<'w, S: Mechanics> {
     last_step: f64,
     before: (State<S>, Memory),
     rate: Vec<f64>,
+}
+
+/// What is worth knowing of a run at step `h`: what is too soft, and what impacts restitute.
+pub(super) fn notes<S: Mechanics>(world: &World<S>, h: f64, second_order: bool) -> Vec<String> {
+    let mut notes = check::notes(world);
+    notes.extend(bounce::bounces(world, h, second_order));
+    notes
 }
 
 /// γ of the two-stage method, 1 - 1/√2.

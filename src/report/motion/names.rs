@@ -16,7 +16,7 @@ pub fn plain(name: &str) -> String {
 /// A contact: `peg vertex 0 / floor`.
 #[must_use]
 pub fn contact<S: Shown>(run: &Run<S>, contact: &ContactName, name: impl Fn(&str) -> String) -> String {
-    let side = |number: usize, feature: Feature| format!("{}{}", name(&bearer(run, number)), words(feature));
+    let side = |number: usize, feature: Feature| format!("{}{}", name(&bearer(run, number)), words::<S>(feature));
     format!("{} / {}", side(contact.body, contact.feature), side(contact.other, contact.other_feature))
 }
 
@@ -43,11 +43,13 @@ fn bearer<S: Shown>(run: &Run<S>, number: usize) -> String {
     names.nth(number).cloned().unwrap_or_else(|| format!("body {number}"))
 }
 
-fn words(feature: Feature) -> String {
+fn words<S: Shown>(feature: Feature) -> String {
     match feature {
         Feature::Vertex(number) => format!(" vertex {number}"),
         Feature::Edge(number) => format!(" edge {number}"),
         Feature::Surface(0) => String::new(),
+        // nothing in space is made of pieces
+        Feature::Surface(number) if S::DIMENSION == 3 => format!(" face {number}"),
         Feature::Surface(number) => format!(" piece {number}"),
     }
 }
