@@ -4,7 +4,7 @@
 use partplan::answer::{Simulation, Status};
 use partplan::case::{Limits, read_scene};
 use partplan::dynamics::{ModelKind, Options, simulate};
-use partplan::model::{Compliance, Planar, Scene, World};
+use partplan::model::{Compliance, Planar, Restitution, Scene, World};
 
 pub const AUTO: ModelKind = ModelKind::Auto;
 pub const ST: ModelKind = ModelKind::StewartTrinkle;
@@ -24,7 +24,7 @@ pub fn run(world: &World<Planar>, model: ModelKind) -> Simulation<Planar> {
 }
 
 pub fn at(world: &World<Planar>, model: ModelKind, step: Option<f64>) -> Simulation<Planar> {
-    let options = Options { model, step, frames: 200_000, ..Options::default() };
+    let options = Options { model, step, frames: 200_000, forces: true, ..Options::default() };
     simulate(world, &options, &mut |_| true).unwrap()
 }
 
@@ -154,17 +154,23 @@ fn a_reversed_slip_is_said() {
 /// Three balls in a row: rigid laws differ, and the simultaneous one of Newton is the one that acts.
 #[test]
 fn a_cradle_follows_newton_at_once() {
-    for model in [AUTO, MOREAU] {
+    for model in [AUTO, ST, MOREAU] {
         let run = run(&stability("cradle"), model);
         let wanted = [-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
         for (velocity, wanted) in run.last.velocities.iter().zip(wanted) {
-            assert!((velocity[0] - wanted).abs() < 1e-14, "{:?}", run.last.velocities);
+            assert!((velocity[0] - wanted).abs() < 1e-12, "{:?}", run.last.velocities);
         }
         assert_eq!(run.solver.impacts, 1);
     }
     // without restitution all three go on together
-    let run = run(&stability("cradle"), ST);
-    assert!(run.last.velocities.iter().all(|velocity| (velocity[0] - 1.0 / 3.0).abs() < 1e-12));
+    let mut plastic = stability("cradle");
+    plastic.materials.iter_mut().for_each(|material| material.restitution = Restitution::Newton(0.0));
+    for model in [AUTO, ST, MOREAU] {
+        let run = run(&plastic, model);
+        let off = run.last.velocities.iter().map(|velocity| (velocity[0] - 1.0 / 3.0).abs()).fold(0.0, f64::max);
+        // gaps of rounding, over the step: 1e-13 m / 1e-3 s
+        assert!(off < 1e-10, "{model:?}: {:?}", run.last);
+    }
 }
 
 /// The peg with γ = 0: open contacts have no singular row, no step needs help, and the ladder takes compliant contacts.

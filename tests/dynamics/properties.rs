@@ -285,7 +285,7 @@ fn fingerprint(run: &Simulation<Planar>) -> u64 {
 /// one order.
 #[test]
 fn runs_repeat_to_the_bit() {
-    for (model, pinned) in [(Moreau, 0xcfd4_9dec_71b8_23f9_u64), (StewartTrinkle, 0x3382_155a_04e9_2c62)] {
+    for (model, pinned) in [(Moreau, 0x02c5_e86c_7478_bf0d_u64), (StewartTrinkle, 0x64fc_1853_b12f_3ff8)] {
         let [a, b] = [0, 1].map(|_| run(&tumble(), model, H));
         assert_eq!(a, b, "{model:?}");
         assert!(a.events.len() > 10, "{model:?}: only {} events", a.events.len());
