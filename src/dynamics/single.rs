@@ -6,11 +6,11 @@
 /// A_nn ≤ μ |A_nt|, for then the answer may not be unique, and where rounding cannot tell.
 pub(super) fn planar(compliance: [f64; 3], free: [f64; 2], mu: f64) -> Option<([f64; 3], f64)> {
     let ([nn, nt, tt], [normal, slip]) = (compliance, free);
-    if normal >= 0.0 {
-        return Some(([0.0; 3], 0.0));
-    }
     if !(nn > mu * nt.abs()) {
         return None;
+    }
+    if normal >= 0.0 {
+        return Some(([0.0; 3], 0.0));
     }
     let determinant = nn * tt - nt * nt;
     let stick = [(nt * slip - tt * normal) / determinant, (nt * normal - nn * slip) / determinant];
@@ -57,8 +57,8 @@ mod tests {
         /// The closed form is what the ladder of solvers finds, for a part of 1 kg touched at (x, y).
         #[test]
         fn one_contact_is_solved_as_by_the_ladder(
-            x in -1.0..1.0, y in -1.0..1.0, inertia in 0.01..2.0, mu in 0.0..1.5,
-            normal in -2.0..0.5, slip in -2.0..2.0,
+            x in -1.0..1.0_f64, y in -1.0..1.0_f64, inertia in 0.01..2.0_f64, mu in 0.0..1.5_f64,
+            normal in -2.0..0.5_f64, slip in -2.0..2.0_f64,
         ) {
             let jacobian = [0.0, 1.0, x, 1.0, 0.0, -y, -1.0, 0.0, y];
             let inverse_mass = [1.0, 1.0, 1.0 / inertia];
