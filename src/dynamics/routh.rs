@@ -25,7 +25,7 @@ impl SingleImpact {
         let [normal, tangential] = against(direction);
         let to_end = -approach / normal;
         let to_stop = -slip / tangential;
-        if !(to_stop > 0.0) || (normal > 0.0 && to_end <= to_stop) {
+        if to_stop.is_nan() || to_stop <= 0.0 || (normal > 0.0 && to_end <= to_stop) {
             return slip + tangential * to_end;
         }
         if nt.abs() <= friction * tt {

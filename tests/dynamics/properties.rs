@@ -6,7 +6,8 @@ use partplan::dynamics::ModelKind::{Moreau, StewartTrinkle};
 use partplan::dynamics::{ModelKind, Options, simulate};
 use partplan::model::{Body, Planar, PlanarShape, World};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{RngSeed, TestRunner};
 
 const H: f64 = 2e-3;
 
@@ -41,6 +42,18 @@ fn mapped(
 fn apart<'a>(a: impl Iterator<Item = [f64; 3]>, b: impl Iterator<Item = &'a [f64; 3]>) -> f64 {
     let pairs = a.zip(b).flat_map(|(a, b)| (0..3).map(move |i| (a[i] - b[i]).abs()));
     pairs.fold(0.0, f64::max)
+}
+
+/// How far poses may be apart (m, rad). Stewart and Trinkle's step leaves rounding, which impacts magnify; the instants
+/// of located impacts are known to a gap of half a billionth of the smallest part, which is magnified as well.
+fn allowed(model: ModelKind) -> f64 {
+    if model == StewartTrinkle { 1e-9 } else { 1e-8 }
+}
+
+/// The schemes whose ends can be compared: several parts that strike each other at instants that are off by the
+/// tolerance of the location may take another course.
+fn comparable(world: &World<Planar>) -> &'static [ModelKind] {
+    if world.bodies.len() == 1 { &RIGID } else { &RIGID[..1] }
 }
 
 fn turned([cosine, sine]: [f64; 2]) -> impl Fn([f64; 2]) -> [f64; 2] {
@@ -78,7 +91,8 @@ proptest! {
     #[test]
     fn momentum_is_balanced(world in drops(4)) {
         let run = run(&world, StewartTrinkle, H);
-        prop_assert_eq!(run.status, Status::Complete, "{:?}", run.notes);
+        // friction up to 2 may leave a sliding part without finite forces: its impulses balance all the same
+        prop_assert!(run.status != Status::Partial, "{:?}", run.notes);
         for pair in run.frames.windows(2) {
             let off = imbalance(&world, [&pair[0], &pair[1]]);
             prop_assert!(off < 1e-12, "{:e} N s at {} s", off, pair[1].time);
@@ -97,7 +111,6 @@ proptest! {
         let mass: f64 = world.bodies.iter().map(|body| body.mass).sum();
         let speed = run.penetration.0 / H;
         let explained = mass * (0.5 * speed * speed + 9.81 * run.penetration.0);
-        println!("GAIN {} {gain:e} {explained:e}", world.bodies.len());
         prop_assert!(gain <= explained + 1e-14 * run.energy.start, "{gain:e} J, {explained:e} J explained");
     }
 
@@ -107,12 +120,12 @@ proptest! {
         let turn = turned([angle.cos(), angle.sin()]);
         let place = |p: [f64; 2]| { let [x, y] = turn(p); [x + shift[0], y + shift[1]] };
         let moved = mapped(&world, place, &turn, Clone::clone, [1.0, angle]);
-        for model in RIGID {
+        for &model in comparable(&world) {
             let [a, b] = [&world, &moved].map(|world| run(world, model, H));
             prop_assert_eq!(a.status, b.status);
             let expected = a.last.poses.iter().map(|[x, y, a]| { let [x, y] = place([*x, *y]); [x, y, a + angle] });
             let off = apart(expected, b.last.poses.iter());
-            println!("FRAME {model:?} {} {off:e}", world.bodies.len());
+            prop_assert!(off <= allowed(model), "{model:?}: {off:e}");
         }
     }
 
@@ -125,10 +138,10 @@ proptest! {
             other => other.clone(),
         };
         let mirrored = mapped(&world, flip, flip, own, [-1.0, 0.0]);
-        for model in RIGID {
+        for &model in comparable(&world) {
             let [a, b] = [&world, &mirrored].map(|world| run(world, model, H));
             let off = apart(a.last.poses.iter().map(|[x, y, a]| [-x, *y, -a]), b.last.poses.iter());
-            println!("MIRROR {model:?} {} {off:e}", world.bodies.len());
+            prop_assert!(off <= allowed(model), "{model:?}: {off:e}");
         }
     }
 
@@ -154,10 +167,10 @@ proptest! {
             body.mass *= m;
             body.inertia[0] *= m * l * l;
         }
-        for model in RIGID {
+        for &model in comparable(&world) {
             let (a, b) = (run(&world, model, H), run(&other, model, H * t));
             let off = apart(b.last.poses.iter().map(|[x, y, a]| [x / l, y / l, *a]), a.last.poses.iter());
-            println!("UNITS {model:?} {} {off:e}", world.bodies.len());
+            prop_assert!(off <= allowed(model), "{model:?}: {off:e}");
         }
     }
 
@@ -170,12 +183,37 @@ proptest! {
             let by = by % outline.len();
             outline.rotate_left(by);
         }
-        for model in RIGID {
+        for &model in comparable(&world) {
             let [a, b] = [&world, &other].map(|world| run(world, model, H));
             let off = apart(a.last.poses.iter().copied(), b.last.poses.iter());
-            println!("ORDER {model:?} {off:e}");
+            prop_assert!(off <= allowed(model), "{model:?}: {off:e}");
         }
     }
+}
+
+/// Located impacts come to the end of every scene, however many features strike (in scene 253 features that replace each
+/// other close 128 times in one step), and steps across corners gain at most a thousandth of the energy.
+///
+/// A corner that enters between two edges that neither sees is found only when it is millimetres deep: that ends the run
+/// with the depth said, in at most one scene of fifty.
+#[test]
+fn located_impacts_come_to_an_end() {
+    let (mut n_scenes, mut n_overlaps) = (0, 0);
+    for seed in (0..100).chain([132, 136, 253]) {
+        let config = ProptestConfig { rng_seed: RngSeed::Fixed(seed), ..ProptestConfig::default() };
+        let world = drops(3).new_tree(&mut TestRunner::new(config)).unwrap().current();
+        let run = run(&world, Moreau, H);
+        n_scenes += 1;
+        assert!(run.energy.largest_gain <= 1e-3 * run.energy.start, "scene {seed}: {:?}", run.energy);
+        if run.notes.iter().any(|note| note.contains("nothing moves them apart")) {
+            assert_eq!(run.status, Status::Inconsistent, "scene {seed}");
+            n_overlaps += 1;
+            continue;
+        }
+        assert!(run.status != Status::Partial && run.time == world.duration, "scene {seed}: {:?}", run.notes);
+        assert!(run.penetration.0 <= 5e-3, "scene {seed}: {:?}", run.penetration);
+    }
+    assert!(n_overlaps * 50 <= n_scenes, "{n_overlaps} of {n_scenes}");
 }
 
 /// A block that slides, at rest on the floor from the start: x = v T - μ g T²/2.
@@ -247,7 +285,7 @@ fn fingerprint(run: &Simulation<Planar>) -> u64 {
 /// one order.
 #[test]
 fn runs_repeat_to_the_bit() {
-    for (model, pinned) in [(StewartTrinkle, 0_u64), (Moreau, 0)] {
+    for (model, pinned) in [(Moreau, 0x02c5_e86c_7478_bf0d_u64), (StewartTrinkle, 0x64fc_1853_b12f_3ff8)] {
         let [a, b] = [0, 1].map(|_| run(&tumble(), model, H));
         assert_eq!(a, b, "{model:?}");
         assert!(a.events.len() > 10, "{model:?}: only {} events", a.events.len());
