@@ -52,6 +52,9 @@ impl Impact {
         for contact in &struck {
             total.fastest_impact = total.fastest_impact.max(-contact.velocity(0, &state.velocities));
         }
+        if coefficients.iter().any(|e| *e > 0.0) {
+            total.together = total.together.max(struck.len());
+        }
         let energy = state.kinetic_energy(world);
         let before = state.velocities.clone();
         let mut share = 1.0;

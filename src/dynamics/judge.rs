@@ -31,14 +31,13 @@ impl<'w, S: Mechanics> Judge<'w, S> {
         Self { world, nearby: Nearby::new(world), held: Vec::new(), judgements: 0, is_settled: false }
     }
 
-    /// The deepest overlap of a state, said.
-    pub fn overlap(&mut self, state: &State<S>) -> Option<String> {
+    /// The deepest overlap of a state (m), said.
+    pub fn overlap(&mut self, state: &State<S>) -> Option<(f64, String)> {
         let mut contacts = Vec::new();
         self.nearby.find(&state.poses, 0.0, &mut contacts);
         let deepest = contacts.iter().min_by(|a, b| a.gap.total_cmp(&b.gap))?;
-        let name = self.name(&deepest.name);
-        (deepest.gap < -self.nearby.touching())
-            .then(|| format!("{name} overlap by {:.3e} m at the start", -deepest.gap))
+        let (name, depth) = (self.name(&deepest.name), -deepest.gap);
+        (depth > self.nearby.touching()).then(|| (depth, format!("{name} overlap by {depth:.3e} m at the start")))
     }
 
     /// Judges the state before a step whose contacts were suspect, unless the same contacts have been judged.
@@ -88,6 +87,15 @@ impl<'w, S: Mechanics> Judge<'w, S> {
              laws of impact do not agree on it",
             short(time),
             self.name(&name)
+        )
+    }
+
+    /// Contacts that met in one impact, said.
+    pub fn together(&self, time: f64, contacts: usize) -> String {
+        format!(
+            "at {} s {contacts} contacts meet in one impact: the law of impact acts on all of them at once, and one after the \
+             other they might part otherwise",
+            short(time)
         )
     }
 

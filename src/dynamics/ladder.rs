@@ -107,7 +107,8 @@ fn refined<S: Mechanics>(
     let mut step = first;
     let mut coarse = at(step, Vec::new());
     for halving in 1.. {
-        if coarse.status == Status::Partial {
+        if coarse.status == Status::Partial || coarse.time < world.duration {
+            coarse.model.why = with(format!("the step is {step:.3e} s, at which the run ends early"));
             return coarse;
         }
         step *= 0.5;
@@ -137,7 +138,7 @@ fn refined<S: Mechanics>(
 
 /// Largest distance of any point of a body between the ends of two runs (m), if both came as far.
 fn difference<S: Mechanics>(world: &World<S>, a: &Simulation<S>, b: &Simulation<S>) -> Option<f64> {
-    if (a.time - b.time).abs() > 1e-9 * world.duration {
+    if a.time < world.duration || b.time < world.duration {
         return None;
     }
     let pairs = world.bodies.iter().zip(a.last.poses.iter().zip(&b.last.poses));

@@ -30,8 +30,11 @@ pub(super) fn run<S: Mechanics>(
     let mut status = Status::Complete;
     log.keep(&state, stepper);
     let mut judge = Judge::new(world);
-    log.notes.extend(judge.overlap(&state));
-    let mut said_reversal = false;
+    if let Some((depth, note)) = judge.overlap(&state) {
+        log.penetration.0 = depth;
+        log.notes.push(note);
+    }
+    let (mut said_reversal, mut said_together) = (false, false);
     for index in 0..n_steps {
         if index >= options.max_steps || !watch(state.time) {
             status = Status::Partial;
@@ -46,6 +49,10 @@ pub(super) fn run<S: Mechanics>(
                 if let (Some(reversal), false) = (solved.reversal, said_reversal) {
                     log.notes.push(judge.reversal(before.time, reversal));
                     said_reversal = true;
+                }
+                if solved.together > 1 && !said_together {
+                    log.notes.push(judge.together(before.time, solved.together));
+                    said_together = true;
                 }
                 log.step(world, &before, &state, stepper, solved);
                 if let Some((judged, note)) = judge.step(&before, stepper.is_suspect(), &log.held) {

@@ -6,7 +6,7 @@
 /// A_nn ≤ μ |A_nt|, for then the answer may not be unique, and where rounding cannot tell.
 pub(super) fn planar(compliance: [f64; 3], free: [f64; 2], mu: f64) -> Option<([f64; 3], f64)> {
     let ([nn, nt, tt], [normal, slip]) = (compliance, free);
-    if !(nn > mu * nt.abs()) {
+    if nn <= mu * nt.abs() {
         return None;
     }
     if normal >= 0.0 {

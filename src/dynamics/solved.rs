@@ -14,6 +14,8 @@ pub(super) struct Solved {
     pub closed: usize,
     pub impacts: usize,
     pub fastest_impact: f64,
+    /// Most contacts that met in one impact of which something restitutes.
+    pub together: usize,
     /// A contact whose slip reversed inside an impact, with its slip after it by the step and by Routh's law (m/s).
     pub reversal: Option<(ContactName, [f64; 2])>,
     pub fallbacks: Fallbacks,
@@ -39,6 +41,7 @@ impl Solved {
             closed: 0,
             impacts: 0,
             fastest_impact: 0.0,
+            together: 0,
             reversal: None,
             fallbacks,
         }
@@ -53,6 +56,7 @@ impl Solved {
         self.closed += other.closed;
         self.impacts += other.impacts;
         self.reversal = self.reversal.or(other.reversal);
+        self.together = self.together.max(other.together);
         self.fastest_impact = self.fastest_impact.max(other.fastest_impact);
         self.fallbacks.continued += other.fallbacks.continued;
         self.fallbacks.divided += other.fallbacks.divided;

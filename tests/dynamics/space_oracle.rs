@@ -161,8 +161,8 @@ proptest! {
             let expected = distance(half, &poses);
             prop_assert!((deepest.gap - expected).abs() < 1e-9, "{deepest:?} for {expected}");
             let mut nearer = poses;
-            for i in 0..3 {
-                nearer[0][i] -= 0.5 * deepest.gap * deepest.normal[i];
+            for (x, n) in nearer[0].iter_mut().zip(deepest.normal) {
+                *x -= 0.5 * deepest.gap * n;
             }
             let left = distance(half, &nearer);
             prop_assert!((left - 0.5 * expected).abs() < 1e-9, "{left} left of {expected}");
@@ -173,8 +173,8 @@ proptest! {
             for contact in &found {
                 prop_assert!(contact.gap > -4.0 * depth - 1e-6, "{contact:?} at {depth}");
             }
-            for i in 0..3 {
-                apart[0][i] -= deepest.gap * deepest.normal[i];
+            for (x, n) in apart[0].iter_mut().zip(deepest.normal) {
+                *x -= deepest.gap * n;
             }
             let left = overlap(half, &apart);
             prop_assert!(left < 0.5 * depth + 1e-6, "{left} left of {depth} {found:?}");
