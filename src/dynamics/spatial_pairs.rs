@@ -9,7 +9,7 @@ use super::contact::Contact;
 use super::mechanics::Contacts;
 use super::turning::{UPRIGHT, along, cross, dot, length, own, placed, sub};
 use crate::answer::{ContactName, Feature};
-use crate::model::{Space, Spatial, SpatialShape, World};
+use crate::model::{Space, Spatial, SpatialShape, World, tangents};
 
 /// Contacts as close as this part of the size of the smaller box are one.
 const ROUNDING: f64 = 1e-6;
@@ -285,13 +285,4 @@ fn contact(
         surface: surface.unwrap_or_default(),
         material: *world.material(name.body, name.other),
     }
-}
-
-/// Tangents t and o with (t, o, n) right-handed: t = +x, o = +y for n = +z.
-fn tangents(n: [f64; 3]) -> [[f64; 3]; 2] {
-    let across = if n[1].abs() < 0.9 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, -n[1].signum()] };
-    let t = cross(across, n);
-    let length = length(t);
-    let t = t.map(|x| x / length);
-    [t, cross(n, t)]
 }

@@ -1,5 +1,7 @@
 //! Vectors in space, and orientations by Euler parameters.
 
+pub(super) use crate::model::turned;
+
 /// What stands upright at the origin.
 pub(super) const UPRIGHT: [f64; 7] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
@@ -12,15 +14,6 @@ pub(super) fn placed(pose: &[f64; 7], own: [f64; 3]) -> [f64; 3] {
 /// A point of the world in the body's frame.
 pub(super) fn own(pose: &[f64; 7], point: [f64; 3]) -> [f64; 3] {
     turned(&conjugate(pose), sub(point, [pose[0], pose[1], pose[2]]))
-}
-
-/// A direction of the body in the world: v + 2 e × (e × v + e0 v).
-pub(super) fn turned(pose: &[f64; 7], v: [f64; 3]) -> [f64; 3] {
-    let (e0, e) = (pose[3], [pose[4], pose[5], pose[6]]);
-    let inner = cross(e, v);
-    let inner = [inner[0] + e0 * v[0], inner[1] + e0 * v[1], inner[2] + e0 * v[2]];
-    let outer = cross(e, inner);
-    [v[0] + 2.0 * outer[0], v[1] + 2.0 * outer[1], v[2] + 2.0 * outer[2]]
 }
 
 /// The same pose with the orientation turned back.

@@ -2,11 +2,13 @@
 
 mod conveyor;
 mod fixture;
+mod orientation;
 mod part;
 mod scene;
 
 pub use conveyor::Conveyor;
 pub use fixture::{Fixel, Fixture, Friction, Place, Range};
+pub use orientation::{tangents, turned};
 pub use part::{LengthUnit, Part, Shape};
 pub use scene::{
     Body, Compliance, Entries, Material, Obstacle, Planar, PlanarShape, Restitution, Scene, Space, Spatial,

@@ -35,7 +35,9 @@ fn the_final_state_comes_first() {
 fn how_a_run_ended_is_said_at_once() {
     let first = |status| text_of(status, |_| {}).lines().next().unwrap_or_default().to_owned();
     assert!(first(Status::Partial).starts_with("stopped before the 1 s asked for: peg "));
-    assert!(first(Status::Inconsistent).starts_with("no motion is possible at some step: peg "));
+    assert!(first(Status::Inconsistent).starts_with("no finite force is consistent with some step of it: peg "));
+    let early = text_of(Status::Inconsistent, |answer| answer.time = 0.5);
+    assert!(early.starts_with("no motion is possible at some step: peg "));
     assert!(first(Status::Ambiguous).ends_with(", by one of several motions that the model allows"));
 }
 

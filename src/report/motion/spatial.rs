@@ -2,7 +2,7 @@
 
 use super::planar::rounded;
 use super::{Outline, Shown, View};
-use crate::model::{Body, Spatial, SpatialShape};
+use crate::model::{Body, Spatial, SpatialShape, tangents, turned as rotated};
 use serde_json::{Value, json};
 
 /// A half space is drawn where it is seen edge on.
@@ -91,30 +91,9 @@ impl Shown for Spatial {
     }
 
     fn impulse(normal: &[f64; 3], parts: [f64; 3]) -> [f64; 3] {
-        let (t, o) = tangents(*normal);
+        let [t, o] = tangents(*normal);
         [0, 1, 2].map(|axis| parts[0] * normal[axis] + parts[1] * t[axis] + parts[2] * o[axis])
     }
-}
-
-/// The vector turned as the body is: v + 2 e × (e × v + e0 v).
-fn rotated(pose: &[f64; 7], v: [f64; 3]) -> [f64; 3] {
-    let (e0, e) = (pose[3], [pose[4], pose[5], pose[6]]);
-    let inner = cross(e, v);
-    let outer = cross(e, [0, 1, 2].map(|axis| inner[axis] + e0 * v[axis]));
-    [0, 1, 2].map(|axis| v[axis] + 2.0 * outer[axis])
-}
-
-/// Tangents t and o of a normal, (t, o, n) right-handed: for +z they are +x and +y. Contacts have the same.
-fn tangents(n: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-    let across = if n[1].abs() < 0.9 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, -n[1].signum()] };
-    let t = cross(across, n);
-    let length = t.iter().map(|entry| entry * entry).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
-    let t = t.map(|entry| entry / length);
-    (t, cross(n, t))
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Angle (rad) from the upright orientation, from 0 to π, and axis.
