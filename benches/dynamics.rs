@@ -1,14 +1,18 @@
-//! Error and time of the time-steppers on the scenes on which other engines were measured.
+//! Error and time of the time-steppers on the scenes on which other engines were measured, then the time of a step of the
+//! paper's two schemes on the published scenes.
 //!
 //! `cargo bench --bench dynamics [-- [--csv] SCENE…]`; `benches/dynamics_peers.sh` reads the comma-separated form.
 
 #[path = "../tests/dynamics/peers.rs"]
 mod peers;
+#[path = "../tests/dynamics/published.rs"]
+#[allow(dead_code, reason = "the tests use the rest")]
+mod published;
 
 use cpu_time::ThreadTime;
 use partplan::answer::Simulation;
 use partplan::dynamics::{Mechanics, ModelKind, Options, simulate};
-use partplan::model::World;
+use partplan::model::{Scene, World};
 use std::time::Duration;
 
 fn main() {
@@ -29,12 +33,36 @@ fn main() {
     if is_wanted("seed_sphere") {
         measure(csv, "seed_sphere", &peers::sphere(), peers::sphere_error);
     }
+    if !csv {
+        println!("\n{:28} {:4} {:>8} {:>8} {:>9} {:>9}", "published scene", "", "h", "steps", "us/step", "problems");
+        let expected = published::expected();
+        for scene in published::scenes().iter().filter(|scene| is_wanted(&scene.name)) {
+            let Some(h) = expected[&scene.name]["rows"][0]["h"].as_f64() else { continue };
+            match &scene.scene {
+                Scene::Planar(world) => step(&scene.name, scene.model, world, h),
+                Scene::Spatial(world) => step(&scene.name, scene.model, world, h),
+            }
+        }
+    }
+}
+
+/// Time of a step over half a second, or to where the run ends early.
+fn step<S: Mechanics>(name: &str, model: ModelKind, world: &World<S>, h: f64) {
+    let world = World { duration: 0.5, ..world.clone() };
+    let options = Options { model, step: Some(h), frames: 2, ..Options::default() };
+    let run = simulate(&world, &options, &mut |_| true).unwrap();
+    let time = fastest(|| {
+        std::hint::black_box(simulate(&world, &options, &mut |_| true).unwrap());
+    });
+    let (steps, problems) = (run.solver.steps, run.solver.problems);
+    let each = time.as_secs_f64() * 1e6 / steps.max(1) as f64;
+    println!("{name:28} {:4} {h:>8} {steps:>8} {each:>9.3} {problems:>9}", run.model.chosen);
 }
 
 fn measure<S: Mechanics>(csv: bool, scene: &str, world: &World<S>, error: impl Fn(&Simulation<S>) -> f64) {
     for (name, model) in [("st", ModelKind::StewartTrinkle), ("moreau", ModelKind::Moreau)] {
         for h in [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4] {
-            let options = Options { model, step: Some(h), frames: 2, ..Options::default() };
+            let options = Options { model, step: Some(h), frames: 2, forces: true, ..Options::default() };
             let all = Options { frames: usize::MAX, ..options.clone() };
             let run = simulate(world, &all, &mut |_| true).unwrap();
             let error = error(&run);
