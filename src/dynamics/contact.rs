@@ -52,6 +52,11 @@ impl<S: Space> Contact<S> {
     }
 }
 
+/// Deepest overlap of these contacts (m), not negative.
+pub(super) fn deepest<S: Space>(contacts: &[Contact<S>]) -> f64 {
+    contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max)
+}
+
 /// The product of two short arrays.
 pub(super) fn dot<E: AsRef<[f64]>>(a: &E, b: &E) -> f64 {
     a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| a * b).sum()

@@ -1,6 +1,6 @@
 //! What differs between the plane and space: kinematics, inertia, contacts.
 
-use super::contact::Contact;
+use super::contact::{Contact, dot};
 use crate::model::{Body, Space, World};
 
 /// A space that bodies move in.
@@ -101,6 +101,11 @@ pub trait Mechanics: Space {
     /// Half the least thickness of a shape (m); infinite for what lies below a line or plane.
     #[doc(hidden)]
     fn half_thickness(shape: &Self::Shape) -> f64;
+}
+
+/// W M⁻¹ Wᵀ of one row of W on one body (1/kg).
+pub(super) fn mobility<S: Mechanics>(world: &World<S>, poses: &[S::Pose], body: usize, row: &S::Velocity) -> f64 {
+    dot(row, &S::weighed(&world.bodies[body], &poses[body], row))
 }
 
 /// The contacts of a step.

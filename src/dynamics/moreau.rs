@@ -4,7 +4,7 @@
 //! velocity and rows of W are those of the midpoint, so that motion between impacts is second order in h. A gap that
 //! closes within a step ends a shorter one, and there the law of impact acts.
 
-use super::contact::Contact;
+use super::contact::{Contact, deepest};
 use super::forces::Forces;
 use super::impact::Impact;
 use super::impulses::{FrictionCone, Impulses};
@@ -193,15 +193,13 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.held.push((contact.name, impulse[0] > 0.0));
             self.touches.add(contact, *impulse, time);
         }
-        let depth = |contacts: &[Contact<S>]| contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
-        let met = depth(&self.here);
+        let met = deepest(&self.here);
         for _ in 0..MAX_PROJECTIONS {
             let held: Vec<Held<S>> = self.here.iter().filter_map(|contact| self.to_project(contact)).collect();
             if held.is_empty() {
                 return Ok(());
             }
-            let deepest = held.iter().map(|held| -held.contact.gap).fold(0.0, f64::max);
-            self.deepest = self.deepest.max(deepest);
+            self.deepest = held.iter().map(|held| -held.contact.gap).fold(self.deepest, f64::max);
             let before = self.current.energy(self.world);
             project(self.world, &mut self.current.poses, &held);
             if self.overlaps {
@@ -210,7 +208,7 @@ impl<'w, S: Mechanics> Moreau<'w, S> {
             self.look();
         }
         // projections that fail may have made it deeper: what the bodies came with is said
-        let (left, allowed) = (depth(&self.here), HELD_OVERLAP * self.nearby.size());
+        let (left, allowed) = (deepest(&self.here), HELD_OVERLAP * self.nearby.size());
         let depth = if met > allowed { met } else { left };
         if left > allowed { Err(Refused::Overlap { depth }) } else { Ok(()) }
     }
@@ -307,7 +305,7 @@ impl<S: Mechanics> Stepper<S> for Moreau<'_, S> {
         self.touches.clear();
         self.forced.clear();
         self.look();
-        self.deepest = self.here.iter().map(|contact| -contact.gap).fold(0.0, f64::max);
+        self.deepest = deepest(&self.here);
         self.overlaps = self.deepest > 1e3 * self.touching;
         let mut total = Solved::nothing();
         let mut left = h;

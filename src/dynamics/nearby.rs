@@ -8,13 +8,18 @@ use crate::model::World;
 #[derive(Debug)]
 pub(super) struct Nearby<'w, S: Mechanics> {
     world: &'w World<S>,
-    outlines: S::Outlines,
+    pub outlines: S::Outlines,
     radii: Vec<f64>,
 }
 
 impl<'w, S: Mechanics> Nearby<'w, S> {
     pub fn new(world: &'w World<S>) -> Self {
         Self { world, outlines: S::outlines(world), radii: world.bodies.iter().map(S::radius).collect() }
+    }
+
+    /// Radius of the largest body about its center of mass, of those that have one (m).
+    pub fn largest(&self) -> f64 {
+        self.radii.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max)
     }
 
     /// Radius of the smallest body about its center of mass (m).
@@ -41,7 +46,12 @@ impl<'w, S: Mechanics> Nearby<'w, S> {
     /// A distance beyond which no pair of features meets in a step at these velocities, or the scene's margin if that is
     /// larger (m).
     pub fn reach(&self, velocities: &[S::Velocity], h: f64) -> f64 {
-        let swept = 1.1 * h * self.closing_speed(velocities);
+        self.reach_beyond(0.0, velocities, h)
+    }
+
+    /// The same for pairs that count as closed up to a gap of `closed` (m).
+    pub fn reach_beyond(&self, closed: f64, velocities: &[S::Velocity], h: f64) -> f64 {
+        let swept = 1.1 * h * self.closing_speed(velocities) + closed;
         self.world.margin.map_or(swept, |margin| margin.max(swept))
     }
 

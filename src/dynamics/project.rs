@@ -1,7 +1,7 @@
 //! Poses back onto the contacts that hold them.
 
 use super::contact::{Contact, add_scaled, dot};
-use super::mechanics::Mechanics;
+use super::mechanics::{Mechanics, mobility};
 use crate::model::World;
 
 /// Most sweeps over the contacts.
@@ -21,7 +21,7 @@ pub(super) fn project<S: Mechanics>(world: &World<S>, poses: &mut [S::Pose], hel
     let mut shifts = vec![S::Velocity::default(); poses.len()];
     let weighed = |body: usize, row: &S::Velocity| S::weighed(&world.bodies[body], &poses[body], row);
     let compliance = |contact: &Contact<S>| -> f64 {
-        contact.sides().map(|(body, rows)| dot(&rows.as_ref()[0], &weighed(body, &rows.as_ref()[0]))).sum()
+        contact.sides().map(|(body, rows)| mobility(world, poses, body, &rows.as_ref()[0])).sum()
     };
     let compliances: Vec<f64> = held.iter().map(|held| compliance(&held.contact)).collect();
     let mut multipliers = vec![0.0; held.len()];

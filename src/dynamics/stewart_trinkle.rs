@@ -1,6 +1,6 @@
 //! Stewart and Trinkle's step, equations (10)-(13): semi-implicit, gaps closed at the end of the step.
 
-use super::contact::Contact;
+use super::contact::{Contact, deepest};
 use super::forces::Forces;
 use super::impulses::{FrictionCone, Impulses};
 use super::mechanics::Mechanics;
@@ -137,7 +137,7 @@ impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     }
 
     fn deepest(&self) -> f64 {
-        self.contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max)
+        deepest(&self.contacts)
     }
 
     fn forces(&self, world: &World<S>, state: &State<S>) -> Option<Forces> {

@@ -49,7 +49,7 @@ impl<'w, S: Mechanics> Stopped<'w, S> {
         }
     }
 
-    /// The first time within `left` at which something that restitutes closes, and the gap up to which it counts as closed.
+    /// The first time within `left` at which something that restitutes closes.
     ///
     /// The scheme moves by `τ (ν + τ M⁻¹ u)`, so that a gap closes at a root of a quadratic.
     fn next_stop(&mut self, state: &State<S>, left: f64) -> Option<f64> {

@@ -11,11 +11,13 @@ mod solve;
 pub use check::SimulationError;
 pub(super) use check::{check, check_shapes};
 
-use super::contact::{Contact, dot};
-use super::mechanics::Mechanics;
+use super::contact::{Contact, deepest};
+use super::mechanics::{Mechanics, mobility};
+use super::nearby::Nearby;
 use super::solved::{Fallbacks, Refused, Solved};
 use super::state::State;
 use super::stepper::Stepper;
+use super::touches::Touches;
 use crate::answer::{ContactName, ContactState};
 use crate::complementarity::Rung;
 use crate::model::World;
@@ -30,8 +32,7 @@ use newton::{Newton, Work};
 #[derive(Debug)]
 pub(super) struct SongPangKumar<'w, S: Mechanics> {
     world: &'w World<S>,
-    outlines: S::Outlines,
-    radii: Vec<f64>,
+    nearby: Nearby<'w, S>,
     /// Half thickness of the bodies, then of the obstacles.
     half_thickness: Vec<f64>,
     second_order: bool,
@@ -42,7 +43,7 @@ pub(super) struct SongPangKumar<'w, S: Mechanics> {
     /// Where the stage starts, then where it ends.
     base: State<S>,
     /// Impulses of the step by contact, as it was last (N s).
-    touched: Vec<(Contact<S>, [f64; 3])>,
+    touched: Touches<S>,
     last_step: f64,
     before: (State<S>, Memory),
     rate: Vec<f64>,
@@ -64,26 +65,23 @@ const MAX_HALVINGS: usize = 12;
 impl<'w, S: Mechanics> SongPangKumar<'w, S> {
     /// With `second_order`, steps of two stages wherever the dashpots allow it.
     pub fn new(world: &'w World<S>, second_order: bool) -> Self {
-        let mut outlines = S::outlines(world);
+        let mut nearby = Nearby::new(world);
         let start = State::start(world);
         let (mut contacts, mut memory) = (Vec::new(), Memory::default());
         // overlaps may be as deep as bodies are large
-        let radii: Vec<f64> = world.bodies.iter().map(S::radius).collect();
-        let largest = radii.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
-        S::contacts(&mut outlines, world, &start.poses, largest, &mut contacts);
+        nearby.find(&start.poses, nearby.largest(), &mut contacts);
         memory.start(&contacts);
         let shapes = world.bodies.iter().map(|body| &body.shape).chain(world.fixed.iter().map(|fixed| &fixed.shape));
         Self {
             world,
-            outlines,
-            radii,
+            nearby,
             half_thickness: shapes.map(S::half_thickness).collect(),
             second_order,
             newton: Newton::new(),
             memory,
             contacts,
             base: start.clone(),
-            touched: Vec::new(),
+            touched: Touches::default(),
             last_step: 0.0,
             before: (start, Memory::default()),
             rate: Vec::new(),
@@ -110,7 +108,7 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
             if !reach.is_finite() {
                 return Err(Refused::Unsolved);
             }
-            S::contacts(&mut self.outlines, self.world, &state.poses, reach, &mut self.contacts);
+            self.nearby.find(&state.poses, reach, &mut self.contacts);
             self.check(state, h)?;
             let in_stages = self.second_order && self.stiffest(&state.poses, h) <= STIFFEST;
             let stage = if in_stages { STAGE * h } else { h };
@@ -135,12 +133,12 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
 
     /// Velocities at the end of `h` from the base, contacts as found at the poses `found`.
     fn solve(&mut self, found: &[S::Pose], h: f64, solved: &mut Solved) -> Result<(), Refused> {
-        let Self { world, outlines, newton, base, .. } = self;
+        let Self { world, nearby, newton, base, .. } = self;
         if newton.joints.is_empty() {
             base.free(world, h, &mut newton.velocities);
             return Ok(());
         }
-        let climb = newton.climb(world, outlines, found, base, h).ok_or(Refused::Unsolved)?;
+        let climb = newton.climb(world, &nearby.outlines, found, base, h).ok_or(Refused::Unsolved)?;
         let fallbacks = Fallbacks { continued: usize::from(climb.continued), divided: 0 };
         let Work { residual, iterations } = climb.work;
         let rung = if iterations == 0 { Rung::Free } else { Rung::Newton };
@@ -178,15 +176,8 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
         self.memory.keep(self.world, h, &self.newton.joints);
         for joint in &self.newton.joints {
             let impulse: [f64; 3] = std::array::from_fn(|i| joint.earlier[i] + stage * joint.force.lambda[i]);
-            if impulse == [0.0; 3] {
-                continue;
-            }
-            match self.touched.iter_mut().find(|(contact, _)| contact.name == joint.now.name) {
-                Some((contact, sum)) => {
-                    *contact = joint.now;
-                    sum.iter_mut().zip(impulse).for_each(|(sum, impulse)| *sum += impulse);
-                }
-                None => self.touched.push((joint.now, impulse)),
+            if impulse != [0.0; 3] {
+                self.touched.add(&joint.now, impulse, time - h);
             }
         }
     }
@@ -202,7 +193,7 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
                 continue;
             }
             let inverse_mass: f64 =
-                contact.sides().map(|(body, rows)| self.mobility(state, body, &rows.as_ref()[0])).sum();
+                contact.sides().map(|(body, rows)| mobility(self.world, &state.poses, body, &rows.as_ref()[0])).sum();
             let mass = 1.0 / inverse_mass;
             let depth = approach * (mass / compliance.stiffness[0]).sqrt().min(mass / compliance.damping[0]);
             let half = self.half_thickness[contact.name.body].min(self.half_thickness[contact.name.other]);
@@ -220,10 +211,7 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
         for contact in &self.contacts {
             let damping = contact.material.compliance.map_or([0.0; 2], |compliance| compliance.damping);
             for (body, rows) in contact.sides() {
-                let along = |row: usize| {
-                    let row = &rows.as_ref()[row];
-                    dot(row, &S::weighed(&self.world.bodies[body], &poses[body], row))
-                };
+                let along = |row: usize| mobility(self.world, poses, body, &rows.as_ref()[row]);
                 let tangential = (1..=S::TANGENTS).map(along).fold(0.0, f64::max);
                 self.rate[body] += h * (damping[0] * along(0)).max(damping[1] * tangential);
             }
@@ -231,21 +219,10 @@ impl<'w, S: Mechanics> SongPangKumar<'w, S> {
         self.rate.iter().copied().fold(0.0, f64::max)
     }
 
-    /// W M⁻¹ W of a row of a body.
-    fn mobility(&self, state: &State<S>, body: usize, row: &S::Velocity) -> f64 {
-        dot(row, &S::weighed(&self.world.bodies[body], &state.poses[body], row))
-    }
-
     /// A distance beyond which no pair of features meets in a step at these velocities (m); pairs that overlap are
     /// within it too.
     fn reach(&self, velocities: &[S::Velocity], h: f64) -> f64 {
-        let (mut first, mut second) = (0.0_f64, 0.0_f64);
-        for (radius, velocity) in self.radii.iter().zip(velocities) {
-            let speed = S::fastest(*radius, velocity);
-            (first, second) = if speed > first { (speed, first) } else { (first, second.max(speed)) };
-        }
-        let swept = 1.1 * h * (first + second) + self.memory.deepest();
-        self.world.margin.map_or(swept, |margin| margin.max(swept))
+        self.nearby.reach_beyond(self.memory.deepest(), velocities, h)
     }
 }
 
@@ -267,11 +244,11 @@ impl<S: Mechanics> Stepper<S> for SongPangKumar<'_, S> {
     }
 
     fn touches(&self) -> impl Iterator<Item = (&Contact<S>, [f64; 3])> {
-        self.touched.iter().map(|(contact, impulse)| (contact, *impulse))
+        self.touched.iter()
     }
 
     fn deepest(&self) -> f64 {
-        self.contacts.iter().map(|contact| -contact.gap).fold(0.0, f64::max)
+        deepest(&self.contacts)
     }
 
     fn stored(&self) -> f64 {
