@@ -8,6 +8,7 @@ mod polyhedron;
 mod region;
 mod simulation;
 mod suggest;
+mod throw;
 mod witness;
 
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
@@ -23,4 +24,9 @@ pub use simulation::{
     ContactName, ContactState, Energy, Event, Feature, Frame, ModelChoice, Simulation, SolverStatistics, Status, Touch,
 };
 pub use suggest::{Proposal, Searched, Suggestion};
+pub use throw::{
+    Carry, Caught, Certificate, CommonGrasp, Component, CounterExample, Design, EdgeGrasp, EdgeReach, EndedOrbit, Fate,
+    GraspEdge, Hybrid, LimitSet, LimitSets, Piece, Pose, ProofLimit, Reach, Sensor, SensorWindow, Setting, SettingKind,
+    Slide, SurdRatio, Throw, ThrowQuery,
+};
 pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

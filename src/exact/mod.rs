@@ -19,6 +19,7 @@ mod minors;
 mod polynomial;
 mod quad;
 mod rational;
+mod surd;
 mod wide;
 
 pub use algebraic::Algebraic;
@@ -31,6 +32,7 @@ pub use matrix::{Entries, Matrix, make_primitive, on_rung, primitive_row};
 pub use minors::{Minors, cross};
 pub use polynomial::Polynomial;
 pub use rational::{approximate, dot, fraction, from_float_exact, ratio, sum, to_f64};
+pub use surd::Surd;
 
 /// Integers of any size.
 pub type Z = num_bigint::BigInt;

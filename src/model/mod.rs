@@ -5,6 +5,7 @@ mod fixture;
 mod orientation;
 mod part;
 mod scene;
+mod thrower;
 
 pub use conveyor::Conveyor;
 pub use fixture::{Fixel, Fixture, Friction, Place, Range};
@@ -14,3 +15,4 @@ pub use scene::{
     Body, Compliance, Entries, Material, Obstacle, Planar, PlanarShape, Restitution, Scene, Space, Spatial,
     SpatialShape, Timed, World,
 };
+pub use thrower::Thrower;
