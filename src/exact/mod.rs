@@ -6,6 +6,7 @@ mod algebraic;
 mod bracket;
 mod double;
 mod filter;
+mod float_functions;
 mod float_interval;
 mod gcd;
 mod image;

@@ -5,6 +5,7 @@ mod feasible;
 mod frame;
 mod friction;
 mod mode;
+pub mod throwing;
 pub mod toppling;
 mod wrench_cone;
 

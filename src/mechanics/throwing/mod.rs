@@ -1,0 +1,26 @@
+//! Throwing a part with an arm and catching it there.
+//!
+//! # Source
+//! Lynch, Northrop & Pan (2001), Stable limit sets in a dynamic parts feeder.
+
+mod body;
+mod enclosure;
+mod flight;
+mod map;
+mod real;
+mod roll;
+
+pub use body::Body;
+pub use enclosure::{Branch, BranchEnd, Branches, Elsewhere, Enclosing};
+pub use map::{Catch, Thrown};
+pub use real::Real;
+
+/// When a part that rolls is taken to be at rest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Settling {
+    /// When it has not the energy to leave an edge, neither on nor, after one more impact, back.
+    #[default]
+    Full,
+    /// On the first stable edge that it lands on, as section IV of the paper assumes.
+    First,
+}

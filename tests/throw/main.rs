@@ -1,0 +1,5 @@
+//! `plan throw` against the public cases, the paper and the mechanics.
+
+mod enclosure;
+mod expected;
+mod map;
