@@ -76,8 +76,8 @@ pub struct EdgeGrasp {
     pub r_grasp: Surd,
     /// Radius above which all of the part is right of the pivot (length).
     pub r_clear: Surd,
-    /// The least friction for which `r_grasp` is `r_geom`.
-    pub mu_edge: Surd,
+    /// The least friction for which `r_grasp` is `r_geom`; `None` if none is enough.
+    pub mu_edge: Option<Surd>,
 }
 
 /// One grasp for all stable edges.
@@ -85,10 +85,10 @@ pub struct EdgeGrasp {
 pub struct CommonGrasp {
     /// Largest `r_geom`, and its edge.
     pub r_common: (usize, Surd),
-    /// Friction with which every edge is grasped from `r_common` on, and the edge that needs it.
-    pub mu_common: (usize, SurdRatio),
-    /// Friction for which no edge needs more than its own `r_geom`, and the edge that needs it.
-    pub mu_edgewise: (usize, Surd),
+    /// Friction with which every edge is grasped from `r_common` on, and the edge that needs it; `None` if none does.
+    pub mu_common: Option<(usize, SurdRatio)>,
+    /// Friction for which no edge needs more than its own `r_geom`, and the edge that needs it; `None` if none does.
+    pub mu_edgewise: Option<(usize, Surd)>,
 }
 
 /// A quotient of two numbers that may be of different fields.
@@ -107,9 +107,11 @@ pub struct ThrowQuery {
     pub edge: usize,
     /// Radius R (length).
     pub radius: Q,
-    /// What happens; more than one where the map breaks nearer to the radius than `within`.
+    /// What happens, and what else happens at radii less than `within` away where the map breaks.
     pub fates: Vec<Fate>,
-    /// Half width of the interval of radii for which `fates` is proved to hold all that may happen (length).
+    /// Whether it is proved that the first of them happens at all radii less than `within` away.
+    pub is_certain: bool,
+    /// (length)
     pub within: f64,
 }
 

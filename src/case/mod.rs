@@ -12,13 +12,14 @@ mod scene;
 mod show;
 mod suggest;
 mod text;
+mod thrower;
 
 pub use fault::{Fault, Related};
 pub use kind::{FaultKind, PairFault, SyntaxFault};
 pub use render::render;
 pub use scene::{SceneCase, read_scene};
 
-use crate::model::{Conveyor, Fixture, LengthUnit, Part};
+use crate::model::{Conveyor, Fixture, LengthUnit, Part, Thrower};
 use jsonc_parser::ast::Value;
 use reader::{Path, Reader, span_of};
 use show::clipped;
@@ -30,6 +31,9 @@ const SMALLEST_INSERT: &str = r#""insert": {"fixels": [{"at": [0.5, 0], "frictio
 /// The smallest `pins` section.
 const SMALLEST_PINS: &str = r#""pins": {"belt_friction": 0.5, "pin_friction": 0.1}"#;
 
+/// The smallest `throw` section.
+const SMALLEST_THROW: &str = r#""throw": {"offset": -0.5, "release_deg_per_s": 320}"#;
+
 /// The keys of a case.
 const KEYS: [&str; 7] = ["name", "length_unit", "part", "insert", "pins", "throw", "scene"];
 
@@ -40,11 +44,13 @@ pub enum Section {
     Insert,
     /// Conveyor and pins: `pins`.
     Pins,
+    /// The arm: `throw`.
+    Throw,
 }
 
 impl Section {
     /// Every section that is read.
-    pub const ALL: [Self; 2] = [Self::Insert, Self::Pins];
+    pub const ALL: [Self; 3] = [Self::Insert, Self::Pins, Self::Throw];
 
     /// Its key in a case.
     #[must_use]
@@ -52,6 +58,7 @@ impl Section {
         match self {
             Self::Insert => "insert",
             Self::Pins => "pins",
+            Self::Throw => "throw",
         }
     }
 }
@@ -67,6 +74,8 @@ pub struct Case {
     pub fixture: Option<Fixture>,
     /// The `pins` section, if present.
     pub conveyor: Option<Conveyor>,
+    /// The `throw` section, if present.
+    pub thrower: Option<Thrower>,
     /// Things worth knowing that are not errors: points moved onto the outline, an inertia taken about another point.
     pub warnings: Vec<String>,
 }
@@ -133,7 +142,7 @@ pub fn missing_section(section: &'static str) -> Fault {
         "insert" => SMALLEST_INSERT,
         "pins" => SMALLEST_PINS,
         "scene" => scene::SMALLEST_SCENE,
-        "throw" => r#""throw": {"offset": 0, "release_deg_per_s": 320}"#,
+        "throw" => SMALLEST_THROW,
         _ => "",
     };
     let fault = Fault::new(FaultKind::MissingSection { section }).on(section.to_string());
@@ -161,12 +170,17 @@ impl Reader {
             section(Section::Insert).map(|value| self.fixture(value, &path.key("insert"), shape.as_ref(), limits));
         let conveyor = section(Section::Pins)
             .map(|value| self.conveyor(value, fields.key_span("pins"), &path.key("pins"), shape.as_ref()));
+        let thrower = section(Section::Throw).map(|value| {
+            let (key, path, unit) = (fields.key_span("throw"), path.key("throw"), unit.unwrap_or_default());
+            self.thrower(value, key, &path, shape.as_ref(), unit)
+        });
         unit?;
         Some(Case {
             name: name.flatten().map(String::from),
             part: part?,
             fixture: fixture.flatten(),
             conveyor: conveyor.flatten(),
+            thrower: thrower.flatten(),
             warnings: Vec::new(),
         })
     }

@@ -173,7 +173,7 @@ impl Reader {
     }
 
     /// `Some(None)` where the key is not given, `None` after a fault.
-    fn optional_positive(&mut self, fields: &Fields, key: &'static str, path: &Path) -> Option<Option<Q>> {
+    pub(super) fn optional_positive(&mut self, fields: &Fields, key: &'static str, path: &Path) -> Option<Option<Q>> {
         let Some(value) = fields.get(key) else {
             return Some(None);
         };

@@ -28,7 +28,7 @@ fn throws_keep_one_branch_within_the_margins_of_the_public_cases() {
                 let branches = enclosing.branches(index(&throw["edge"]), radii, Settling::Full);
                 let wanted = number(&throw["to_R"]);
                 let (edge, steps) = (index(&throw["to_edge"]), throw["steps"].as_i64().unwrap());
-                let is_met = |branch: &Branch| matches!(branch.end, BranchEnd::Rest { edge: e, steps: s, radii } if (e, s) == (edge, steps) && radii.contains(wanted));
+                let is_met = |branch: &Branch| matches!(branch.end, BranchEnd::Rest { edge: e, steps: s, radii, .. } if (e, s) == (edge, steps) && radii.contains(wanted));
                 assert!(branches.iter().any(is_met), "{}: {branches:?} for {throw}", case.name);
                 n_several += usize::from(branches.len() > 1);
             }
@@ -52,6 +52,11 @@ fn enclosures_are_no_wider_than_the_map_stretches() {
     }
 }
 
+fn is_within(interval: FloatInterval, value: f64, doubt: f64) -> bool {
+    let [low, high] = interval.ends();
+    low - doubt <= value && value <= high + doubt
+}
+
 proptest! {
     /// What a throw does is among what the interval says, also across breaks and grazing flights.
     #[test]
@@ -68,13 +73,14 @@ proptest! {
         let low = 1.5 * clear + start * 2.0 * body.lambda();
         let radii = FloatInterval::from_ends(low, low + width * clear);
         let branches = enclosing.branches(edge, radii, Settling::Full);
-        let thrown = body.throw(edge, low + inside * width * clear, Settling::Full);
+        let thrown_from = low + inside * width * clear;
+        let thrown = body.throw(edge, thrown_from, Settling::Full);
         let is_told = |branch: &Branch| match (branch.end, thrown) {
-            (BranchEnd::Rest { edge, steps, radii }, Thrown::Caught(catch)) => {
-                let [low, high] = radii.ends();
-                let doubt = 1e-13 * high.abs();
+            (BranchEnd::Rest { edge, steps, radii, moved }, Thrown::Caught(catch)) => {
+                let doubt = 1e-13 * radii.ends()[1].abs();
                 (edge, steps) == (catch.edge, catch.steps) && branch.impact_vertex == catch.impact_vertex
-                    && low - doubt <= catch.radius && catch.radius <= high + doubt
+                    && is_within(radii, catch.radius, doubt)
+                    && is_within(moved, catch.radius - thrown_from, doubt)
             }
             (BranchEnd::Other(Elsewhere::OffArm), Thrown::OffArm { .. }) => true,
             (BranchEnd::Other(Elsewhere::Balanced), Thrown::Balanced { .. }) => true,

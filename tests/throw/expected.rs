@@ -2,8 +2,8 @@
 
 use partplan::case;
 use partplan::exact::{Q, parse_literal, to_f64};
-use partplan::mechanics::throwing::{Body, Real};
-use partplan::model::{Part, Shape};
+use partplan::mechanics::throwing::{Body, Real, RestingEdge};
+use partplan::model::{Part, Shape, Thrower};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -42,6 +42,10 @@ impl Expected {
         case::read(self.text.as_bytes(), &case::Limits::default()).unwrap().part
     }
 
+    pub fn thrower(&self) -> Thrower {
+        case::read(self.text.as_bytes(), &case::Limits::default()).unwrap().thrower.unwrap()
+    }
+
     /// A number of the answer.
     pub fn exact(&self, key: &str) -> Q {
         parse_literal(self.answer[key].as_str().unwrap()).unwrap()
@@ -53,7 +57,8 @@ impl Expected {
         let Shape::Polygon(polygon) = &part.shape else { panic!("a polygon") };
         let corners: Vec<[Q; 2]> = polygon.hull().iter().map(|k| polygon.vertices()[*k].clone()).collect();
         let [offset, gravity, release] = ["offset", "gravity", "release_deg_per_s"].map(|key| self.exact(key));
-        Body::new(&corners, &part.center_of_mass, &part.gyration2(), [&offset, &gravity, &release])
+        let edges = RestingEdge::all(&corners, &part.center_of_mass, &part.gyration2());
+        Body::new(&corners, &part.center_of_mass, &part.gyration2(), &edges, [&offset, &gravity, &release])
     }
 }
 

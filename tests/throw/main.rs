@@ -3,3 +3,4 @@
 mod enclosure;
 mod expected;
 mod map;
+mod plan;

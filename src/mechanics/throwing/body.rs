@@ -1,9 +1,9 @@
 //! A hull over an arm, in the numbers of the throw map.
 
+use super::grasp::RestingEdge;
 use super::real::Real;
 use crate::exact::Q;
-use crate::geometry::{cross, difference, dot};
-use num_traits::{Signed as _, Zero as _};
+use crate::geometry::{difference, dot};
 
 /// Corners and edges about the center of mass; time is the angle that the part turns in flight, so that speeds are in units
 /// of the release speed w, and energies a unit of mass in units of w².
@@ -50,15 +50,18 @@ pub(super) struct Side<N> {
 
 impl<N: Real> Body<N> {
     /// The hull with these corners, counter-clockwise, and this center of mass, for an arm with `offset`, gravity `gravity`
-    /// and release speed `release` (degrees/s); `rho2` is ρ².
+    /// and release speed `release` (degrees/s); `rho2` is ρ², `edges` are those of the hull.
     #[must_use]
-    pub fn new(corners: &[[Q; 2]], center_of_mass: &[Q; 2], rho2: &Q, [offset, gravity, release]: [&Q; 3]) -> Self {
+    pub fn new(
+        corners: &[[Q; 2]],
+        center_of_mass: &[Q; 2],
+        rho2: &Q,
+        edges: &[RestingEdge],
+        [offset, gravity, release]: [&Q; 3],
+    ) -> Self {
         let arms: Vec<[Q; 2]> = corners.iter().map(|corner| difference(center_of_mass, corner)).collect();
         let rate = N::of(release) * N::pi() / N::double(180.0);
-        let side = |edge: usize| {
-            let (start, end) = (&arms[edge], &arms[(edge + 1) % arms.len()]);
-            side(start, end, rho2)
-        };
+        let side = |edge: usize| side(&arms[edge], &arms[(edge + 1) % arms.len()], &edges[edge]);
         Self {
             offset: N::of(offset),
             lambda: N::of(gravity) / (rate * rate),
@@ -119,21 +122,14 @@ fn corner<N: Real>(arm: &[Q; 2], rho2: &Q) -> Corner<N> {
     Corner { at: arm.each_ref().map(N::of), radius: N::of(&radius2).sqrt(), inertia: N::of(&(rho2 + radius2)) }
 }
 
-fn side<N: Real>(start: &[Q; 2], end: &[Q; 2], rho2: &Q) -> Side<N> {
-    let along = difference(start, end);
-    let length2 = dot(&along, &along);
-    let (left, right, over) = (dot(start, &along), dot(end, &along), cross(start, &along));
-    let length = N::of(&length2).sqrt();
-    // q = ρ² + d² + u_l u_r, and d² + u² of both ends
-    let q = rho2 + (&over * &over + &left * &right) / &length2;
-    let inertia = |end: &[Q; 2]| rho2 + dot(end, end);
-    let energy_kept = if q.is_positive() { &q * &q / (inertia(start) * inertia(end)) } else { Q::zero() };
+fn side<N: Real>(start: &[Q; 2], end: &[Q; 2], edge: &RestingEdge) -> Side<N> {
+    let length = N::of(&edge.length2).sqrt();
     Side {
-        direction: along.each_ref().map(|part| N::of(part) / length),
+        direction: difference(start, end).each_ref().map(|part| N::of(part) / length),
         length,
-        ends: [N::of(&left) / length, N::of(&right) / length],
-        height: N::of(&over) / length,
-        energy_kept: N::of(&energy_kept),
-        is_inside: [left.is_negative(), right.is_positive()],
+        ends: [N::of_surd(&edge.u_left), N::of_surd(&edge.u_right)],
+        height: N::of_surd(&edge.d),
+        energy_kept: N::of(&edge.energy_kept),
+        is_inside: [edge.u_left.sign().is_lt(), edge.u_right.sign().is_gt()],
     }
 }

@@ -45,6 +45,8 @@ pub enum BranchEnd {
         steps: i64,
         /// Radii.
         radii: FloatInterval,
+        /// How much more these are than the radii thrown from.
+        moved: FloatInterval,
     },
     /// Beside the arm, upright on a vertex, or no more is known.
     Other(Elsewhere),
@@ -114,7 +116,7 @@ impl Enclosing {
         }
         // concave heights that start at zero or more have no zero before
         let is_free = |angle: &f64| *angle > 0.0 && self.is_above(edge, radius, *angle, flight.vertex);
-        self.widths(radius, flight).map(|width| flight.angle - width).find(is_free).unwrap_or(0.0)
+        self.widths(edge, radius, flight).map(|width| flight.angle - width).find(is_free).unwrap_or(0.0)
     }
 
     /// A turn before which every throw from `radius` or less meets the arm.
@@ -124,13 +126,17 @@ impl Enclosing {
             let at = Instant::new(&self.exact, edge, radius_, FloatInterval::of_double(angle));
             at.over(&self.exact, flight.vertex)[0].ends()[1] < 0.0
         };
-        self.widths(radius, flight).map(|width| flight.angle + width).find(|angle| is_below(*angle))
+        self.widths(edge, radius, flight).map(|width| flight.angle + width).find(|angle| is_below(*angle))
     }
 
-    /// Half widths to try for a bracket of an impact.
-    fn widths(&self, radius: f64, flight: &Flight) -> impl Iterator<Item = f64> + use<> {
-        let height = radius * flight.angle + self.near.lambda;
-        let first = 4.0 * f64::EPSILON * (height / flight.closing.abs().max(1e-9 * height) + flight.angle);
+    /// Half widths to try for a bracket of an impact, from the rounding of a height on.
+    fn widths(&self, edge: usize, radius: f64, flight: &Flight) -> impl Iterator<Item = f64> + use<> {
+        let Flight { angle, vertex, closing } = *flight;
+        // vertices that rest on the arm at first are computed to a part of the angle
+        let is_resting = vertex == edge || vertex == self.near.next(edge);
+        let start = self.near.radius() * if is_resting { angle } else { 1.0 };
+        let height = angle * (radius + self.near.lambda * angle) + start;
+        let first = 4.0 * f64::EPSILON * (height / closing.abs().max(1e-9 * height) + angle);
         (0..MOST_TRIALS).scan(first, |width, _| {
             let this = *width;
             *width *= 16.0;
@@ -174,16 +180,11 @@ impl Enclosing {
         for _ in 0..MOST_MARCHES {
             let at = Instant::new(body, edge, radius, FloatInterval::of_double(angle));
             let step = |vertex: usize| {
-                let [mut height, speed] = at.over(body, vertex);
-                if angle == 0.0 && (vertex == edge || vertex == body.next(edge)) {
-                    height = FloatInterval::of_double(0.0);
-                }
+                let [height, speed] = at.over(body, vertex);
                 let most = body.lambda + body.corners[vertex].radius;
                 // the step grows with height and speed: their least ones will do
                 let [height, speed] = [height, speed].map(|value| FloatInterval::of_double(value.ends()[0]));
-                if height.ends()[0] < 0.0 {
-                    return 0.0;
-                }
+                let height = if height.ends()[0] < 0.0 && angle > 0.0 { return 0.0 } else { at_least_zero(height) };
                 let root = (speed.square() + most * height * FloatInterval::of_double(2.0)).sqrt();
                 let step = if speed.ends()[0] > 0.0 {
                     (speed + root) / most
@@ -254,13 +255,13 @@ impl Enclosing {
     fn radius_at(&self, edge: usize, vertex: usize, angle: FloatInterval) -> FloatInterval {
         let body = &self.exact;
         let zero = FloatInterval::of_double(0.0);
-        let below = Instant::new(body, edge, zero, angle).lever(body, vertex)[1];
-        body.lambda * angle * FloatInterval::of_double(0.5) - (body.sides[edge].height + below) / angle
+        let lift = Instant::new(body, edge, zero, angle).lift(body, vertex);
+        body.lambda * angle * FloatInterval::of_double(0.5) - lift / angle
     }
 
     /// From the first impact to rest.
     fn settle(&self, edge: usize, vertex: usize, cell: &Cell, settling: Settling, branches: &mut Branches) {
-        let impact = self.impact(edge, vertex, cell);
+        let (impact, moved) = self.impact(edge, vertex, cell);
         roll(
             &self.exact,
             &impact,
@@ -268,7 +269,9 @@ impl Enclosing {
             |_| {},
             |end| {
                 let end = match end {
-                    End::Rest { edge, steps, radius } => BranchEnd::Rest { edge, steps, radii: radius },
+                    End::Rest { edge, steps, beyond } => {
+                        BranchEnd::Rest { edge, steps, radii: impact.x + beyond, moved: moved + beyond }
+                    }
                     End::OffArm { .. } => BranchEnd::Other(Elsewhere::OffArm),
                     End::Balanced { .. } => BranchEnd::Other(Elsewhere::Balanced),
                     End::Unknown => BranchEnd::Other(Elsewhere::Unknown),
@@ -279,8 +282,8 @@ impl Enclosing {
     }
 
     /// The impact at all turns of the cell, each quantity as a function of the turn: its value in the middle and its
-    /// derivative everywhere.
-    fn impact(&self, edge: usize, vertex: usize, cell: &Cell) -> Impact<FloatInterval> {
+    /// derivative everywhere. Also how far right of the center of mass at the throw it is.
+    fn impact(&self, edge: usize, vertex: usize, cell: &Cell) -> (Impact<FloatInterval>, FloatInterval) {
         let body = &self.exact;
         let (corner, half) = (&body.corners[vertex], FloatInterval::of_double(0.5));
         let [low, high] = cell.angles.ends();
@@ -299,22 +302,24 @@ impl Enclosing {
         let [lever_here, below_here] = here.lever(body, vertex);
 
         let x_slope = radius_slope - over - below;
-        let x_here = here.x(body, edge, radius) + lever_here;
+        let x_here = here.x(body, radius) + lever_here;
         let ends = || {
             let at = |angle: f64| {
                 let angle = FloatInterval::of_double(angle);
                 let radius = self.radius_at(edge, vertex, angle);
                 let at = Instant::new(body, edge, radius, angle);
-                at.x(body, edge, radius) + at.lever(body, vertex)[0]
+                at.x(body, radius) + at.lever(body, vertex)[0]
             };
             at(low).join(at(high))
         };
+        let moved = x_here - radius - (over + below) * apart;
         let x = if x_slope.sign().is_some() { ends() } else { x_here + x_slope * apart };
+        let x = narrowed(x, cell.radii + moved);
 
         // ω⁺ = (ρ² - r_x ẏ - r_y (h + d)) / I, with r_x' = -r_y, r_y' = r_x, ẏ' = R' - λ
         let omega_slope = (below * climb - lever * (radius_slope - body.lambda) - lever * over) / corner.inertia;
-        let omega_here = here.caught(body, edge, vertex);
-        let omega_all = whole.caught(body, edge, vertex);
+        let omega_here = here.caught(body, vertex);
+        let omega_all = whole.caught(body, vertex);
         let omega = narrowed(omega_here + omega_slope * apart, omega_all);
 
         let energy =
@@ -322,8 +327,14 @@ impl Enclosing {
         let energy_slope = corner.inertia * omega * omega_slope - body.lambda * lever;
         let energy = narrowed(energy(omega_here, below_here) + energy_slope * apart, energy(omega, below));
         let steps = self.near.steps(edge, vertex, 0.5 * (low + high));
-        Impact { vertex, steps, x, lever, omega, energy }
+        (Impact { vertex, steps, x, lever, omega, energy }, moved)
     }
+}
+
+/// A height that was zero before rounding, or is not negative.
+fn at_least_zero(height: FloatInterval) -> FloatInterval {
+    let [low, high] = height.ends();
+    FloatInterval::from_ends(low.max(0.0), high.max(0.0))
 }
 
 /// What two enclosures of the same numbers leave.
@@ -335,10 +346,12 @@ fn narrowed(a: FloatInterval, b: FloatInterval) -> FloatInterval {
 fn add(branches: &mut Branches, branch: Branch) {
     for known in branches.iter_mut().filter(|known| known.impact_vertex == branch.impact_vertex) {
         match (&mut known.end, branch.end) {
-            (BranchEnd::Rest { edge, steps, radii }, BranchEnd::Rest { edge: other, steps: also, radii: more })
-                if (*edge, *steps) == (other, also) =>
-            {
+            (
+                BranchEnd::Rest { edge, steps, radii, moved },
+                BranchEnd::Rest { edge: other, steps: also, radii: more, moved: further },
+            ) if (*edge, *steps) == (other, also) => {
                 *radii = radii.join(more);
+                *moved = moved.join(further);
                 return;
             }
             (BranchEnd::Other(a), BranchEnd::Other(b)) if *a == b => return,

@@ -8,14 +8,17 @@ use std::f64::consts::TAU;
 /// Marches that do not come to an impact are given up.
 const MOST_MARCHES: usize = 1_000_000;
 
-/// The part `angle` after its release, which is also the time.
+/// The part `angle` after its release from an edge, which is also the time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Instant<N> {
+    edge: usize,
     angle: N,
+    /// Sine and one less cosine of the angle.
+    turned: [N; 2],
     /// Sine and cosine of the turn of the part's frame.
     turn: [N; 2],
-    /// Height of the center of mass over the arm.
-    height: N,
+    /// Rise of the center of mass.
+    rise: N,
     /// Its derivative.
     climb: N,
 }
@@ -23,13 +26,16 @@ pub(super) struct Instant<N> {
 impl<N: Real> Instant<N> {
     /// Equation (5), thrown from `edge` at `radius`.
     pub(super) fn new(body: &Body<N>, edge: usize, radius: N, angle: N) -> Self {
-        let side = &body.sides[edge];
-        let ([sin, cos], [along, across]) = (angle.sin_cos(), side.direction);
+        let half = N::double(0.5);
+        let ([sin, cos], [along, across]) = (angle.sin_cos(), body.sides[edge].direction);
+        let sin_half = (angle * half).sin_cos()[0];
         let fall = body.lambda * angle;
         Self {
+            edge,
             angle,
+            turned: [sin, sin_half * sin_half * N::double(2.0)],
             turn: [sin * along - cos * across, cos * along + sin * across],
-            height: side.height + angle * (radius - fall * N::double(0.5)),
+            rise: angle * (radius - fall * half),
             climb: radius - fall,
         }
     }
@@ -40,10 +46,26 @@ impl<N: Real> Instant<N> {
         [x * cos - y * sin, x * sin + y * cos]
     }
 
+    /// Height of a vertex over where the center of mass was on the arm, less d: what turning alone lifts it over the arm.
+    pub(super) fn lift(&self, body: &Body<N>, vertex: usize) -> N {
+        let (side, [sin, versine]) = (&body.sides[self.edge], self.turned);
+        let resting = |end: usize| side.ends[end] * sin + side.height * versine;
+        // the resting vertices start on the arm, exactly
+        match vertex {
+            left if left == self.edge => resting(0),
+            right if right == body.next(self.edge) => resting(1),
+            _ => side.height + self.lever(body, vertex)[1],
+        }
+    }
+
     /// Height of a vertex over the arm, F_k, and its derivative.
     pub(super) fn over(&self, body: &Body<N>, vertex: usize) -> [N; 2] {
-        let [x, y] = self.lever(body, vertex);
-        [self.height + y, self.climb + x]
+        [self.rise + self.lift(body, vertex), self.climb + self.lever(body, vertex)[0]]
+    }
+
+    /// Height of the center of mass over the arm.
+    pub(super) fn height(&self, body: &Body<N>) -> N {
+        body.sides[self.edge].height + self.rise
     }
 
     /// How much lower the second vertex is than the first.
@@ -52,15 +74,15 @@ impl<N: Real> Instant<N> {
     }
 
     /// x of the center of mass.
-    pub(super) fn x(&self, body: &Body<N>, edge: usize, radius: N) -> N {
-        radius - (body.offset + body.sides[edge].height) * self.angle
+    pub(super) fn x(&self, body: &Body<N>, radius: N) -> N {
+        radius - (body.offset + body.sides[self.edge].height) * self.angle
     }
 
     /// Angular velocity after a vertex has stopped on the arm, equations (7) to (9).
-    pub(super) fn caught(&self, body: &Body<N>, edge: usize, vertex: usize) -> N {
+    pub(super) fn caught(&self, body: &Body<N>, vertex: usize) -> N {
         let [x, y] = self.lever(body, vertex);
         let corner = &body.corners[vertex];
-        (body.rho2 - x * self.climb - y * (body.offset + body.sides[edge].height)) / corner.inertia
+        (body.rho2 - x * self.climb - y * (body.offset + body.sides[self.edge].height)) / corner.inertia
     }
 }
 
@@ -75,6 +97,12 @@ pub(super) struct Flight {
 }
 
 impl Body<f64> {
+    /// Largest distance of a corner from the center of mass (length).
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.corners.iter().map(|corner| corner.radius).fold(0.0, f64::max)
+    }
+
     /// Whether the height of every vertex over the arm is strictly concave in time.
     #[must_use]
     pub fn is_concave(&self) -> bool {
@@ -128,11 +156,7 @@ impl Body<f64> {
         for _ in 0..MOST_MARCHES {
             let at = Instant::new(self, edge, radius, angle);
             let free = |vertex: usize| {
-                let [height, speed] = if angle == 0.0 && (vertex == edge || vertex == self.next(edge)) {
-                    [0.0, at.over(self, vertex)[1]]
-                } else {
-                    at.over(self, vertex)
-                };
+                let [height, speed] = at.over(self, vertex);
                 free(height.max(0.0), speed, self.lambda + self.corners[vertex].radius)
             };
             let (step, vertex) =
@@ -165,11 +189,11 @@ impl Body<f64> {
     pub(super) fn impact(&self, edge: usize, radius: f64, flight: &Flight) -> Impact<f64> {
         let at = Instant::new(self, edge, radius, flight.angle);
         let [lever, below] = at.lever(self, flight.vertex);
-        let omega = at.caught(self, edge, flight.vertex);
+        let omega = at.caught(self, flight.vertex);
         Impact {
             vertex: flight.vertex,
             steps: self.steps(edge, flight.vertex, flight.angle),
-            x: at.x(self, edge, radius) + lever,
+            x: at.x(self, radius) + lever,
             lever,
             omega,
             energy: 0.5 * self.corners[flight.vertex].inertia * omega * omega - self.lambda * below,

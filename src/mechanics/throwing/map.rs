@@ -71,9 +71,9 @@ impl Body<f64> {
         let mut thrown = Thrown::Balanced { vertex: impact.vertex };
         roll(self, &impact, settling, landed, |end| {
             thrown = match end {
-                End::Rest { edge: to, steps, radius: at } => Thrown::Caught(Catch {
+                End::Rest { edge: to, steps, beyond } => Thrown::Caught(Catch {
                     edge: to,
-                    radius: at,
+                    radius: impact.x + beyond,
                     steps,
                     flight_rotation: flight.angle,
                     impact_vertex: impact.vertex,

@@ -6,13 +6,17 @@
 mod body;
 mod enclosure;
 mod flight;
+mod grasp;
 mod map;
+mod motion;
 mod real;
 mod roll;
 
 pub use body::Body;
 pub use enclosure::{Branch, BranchEnd, Branches, Elsewhere, Enclosing};
+pub use grasp::RestingEdge;
 pub use map::{Catch, Thrown};
+pub use motion::Moment;
 pub use real::Real;
 
 /// When a part that rolls is taken to be at rest.

@@ -1,6 +1,6 @@
 //! Numbers that the throw map is computed in: doubles, and intervals that enclose what doubles round.
 
-use crate::exact::{FloatInterval, Q, to_f64};
+use crate::exact::{FloatInterval, Q, Surd, to_f64};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -10,6 +10,9 @@ pub trait Real:
 {
     /// Of a rational.
     fn of(value: &Q) -> Self;
+
+    /// Of a number a + b √n.
+    fn of_surd(value: &Surd) -> Self;
 
     /// Of a double.
     fn double(value: f64) -> Self;
@@ -40,6 +43,10 @@ impl Real for f64 {
         to_f64(value)
     }
 
+    fn of_surd(value: &Surd) -> Self {
+        value.to_f64()
+    }
+
     fn double(value: f64) -> Self {
         value
     }
@@ -68,6 +75,10 @@ impl Real for f64 {
 impl Real for FloatInterval {
     fn of(value: &Q) -> Self {
         Self::of_rational(value)
+    }
+
+    fn of_surd(value: &Surd) -> Self {
+        value.enclosure()
     }
 
     fn double(value: f64) -> Self {

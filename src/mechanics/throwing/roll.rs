@@ -30,8 +30,8 @@ pub(super) struct Impact<N> {
 /// A landing flat on an edge, or where else it ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum End<N> {
-    /// At rest on an edge after so many steps, the center of mass at a radius.
-    Rest { edge: usize, steps: i64, radius: N },
+    /// At rest on an edge after so many steps, the center of mass so far right of the first impact.
+    Rest { edge: usize, steps: i64, beyond: N },
     /// A vertex meets the line of the arm left of the pivot.
     OffArm { vertex: usize, x: N },
     /// Upright on a vertex, or still rolling.
@@ -49,7 +49,7 @@ pub(super) struct Landing<N> {
     pub(super) is_ccw: bool,
     /// Kinetic energy.
     pub(super) energy: N,
-    /// x of the edge's left end (length).
+    /// From the first impact to the edge's left end (length).
     pub(super) left: N,
 }
 
@@ -85,9 +85,10 @@ pub(super) fn roll<N: Real>(
         }
         visit(&landing);
         if landing.is_ccw {
-            let is_off = (-landing.left).is_positive();
+            let x = impact.x + landing.left;
+            let is_off = (-x).is_positive();
             if is_off != Some(false) {
-                end(End::OffArm { vertex: landing.edge, x: landing.left });
+                end(End::OffArm { vertex: landing.edge, x });
             }
             if is_off == Some(true) {
                 continue;
@@ -113,7 +114,7 @@ fn start<N: Real>(
             steps,
             is_ccw,
             energy: impact.energy - body.lambda * side.height,
-            left: if is_ccw { impact.x - side.length } else { impact.x },
+            left: if is_ccw { -side.length } else { N::double(0.0) },
         }
     };
     let is_over = |is_ccw: bool| {
@@ -157,7 +158,7 @@ fn land<N: Real>(
 ) {
     let Landing { edge, steps, is_ccw, left, .. } = landing;
     let side = &body.sides[edge];
-    let rest = |end: &mut dyn FnMut(End<N>)| end(End::Rest { edge, steps, radius: left - side.ends[0] });
+    let rest = |end: &mut dyn FnMut(End<N>)| end(End::Rest { edge, steps, beyond: left - side.ends[0] });
     if settling == Settling::First && body.is_stable(edge) {
         return rest(end);
     }

@@ -1,0 +1,215 @@
+//! Throws from an arm that bring a part into one motion pattern, and the sensor that reads it.
+
+mod graph;
+mod grasp;
+mod hybrid;
+mod limit;
+mod orbit;
+mod pieces;
+mod proof;
+mod reach;
+mod replay;
+mod sensor;
+mod system;
+
+use crate::answer::{Fate, Sensor, Throw, ThrowQuery};
+use crate::exact::{FloatInterval, Q};
+use crate::geometry::{Polygon, symmetry_shift};
+use crate::mechanics::throwing::{Branch, BranchEnd, Elsewhere, Settling};
+use crate::model::{Part, Shape, Thrower};
+use system::System;
+
+/// What is asked of [`throw`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ThrowQuestion {
+    /// Throws to tell: edge and radius.
+    pub throws: Vec<(usize, Q)>,
+    /// Carries to tell.
+    pub carries: Vec<CarryQuestion>,
+    /// When a part that rolls is at rest.
+    pub settling: Settling,
+    /// Starts of orbits on each stable edge.
+    pub starts: usize,
+    /// Whether the motion in time is wanted, for playing.
+    pub replay: bool,
+}
+
+impl Default for ThrowQuestion {
+    fn default() -> Self {
+        Self { throws: Vec::new(), carries: Vec::new(), settling: Settling::Full, starts: 6, replay: false }
+    }
+}
+
+/// A state of the arm that carries a part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CarryQuestion {
+    /// Edge on the arm.
+    pub edge: usize,
+    /// Radius R (length).
+    pub radius: Q,
+    /// Angle of the arm (degrees).
+    pub angle_deg: Q,
+    /// Angular velocity (rad/s).
+    pub rate: Q,
+}
+
+/// Where the planner of throws is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ThrowProgress {
+    /// What it does.
+    pub stage: ThrowStage,
+    /// How much of it is done.
+    pub done: usize,
+    /// How much there is at most.
+    pub of: usize,
+}
+
+/// What the planner of throws does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ThrowStage {
+    /// It follows orbits.
+    Orbits,
+    /// It refines cells of a proof.
+    Proof,
+    /// It tries settings of the arm.
+    Sweep,
+}
+
+/// Why throws cannot be planned for a part.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ThrowError {
+    /// A disc rolls.
+    #[error("a disc has no edges to rest on")]
+    Disc,
+    /// An edge that is asked about is not there.
+    #[error("the hull has edges 0 to {last}, not {edge}")]
+    NoSuchEdge {
+        /// The edge.
+        edge: usize,
+        /// The last one.
+        last: usize,
+    },
+    /// The numbers of the case are beyond those of doubles.
+    #[error("the part's size and the arm's speed and gravity are too far apart for throws to be computed in doubles")]
+    OutOfRange,
+}
+
+/// Half width of the radii about a throw that is asked for, in part radii: breaks of the map so near are told.
+const DOUBT: f64 = 1e-9;
+
+/// The throw map of a part on an arm: where it is defined, its pieces, what orbits do in the long run, what of it is proved,
+/// and the sensor that reads it.
+///
+/// Grasps are exact; flights are computed in doubles, and enclosed by outward rounding where something is proved.
+///
+/// # Source
+/// Lynch, Northrop & Pan (2001), Stable limit sets in a dynamic parts feeder.
+///
+/// # Errors
+/// [`ThrowError`] if the part or the question is not one that throws can be planned for.
+pub fn throw(
+    part: &Part,
+    thrower: &Thrower,
+    question: &ThrowQuestion,
+    watch: &mut dyn FnMut(ThrowProgress) -> bool,
+) -> Result<Throw, ThrowError> {
+    let Shape::Polygon(outline) = &part.shape else { return Err(ThrowError::Disc) };
+    let hull: Vec<[Q; 2]> = outline.hull().into_iter().map(|k| outline.vertices()[k].clone()).collect();
+    let asked = question.throws.iter().map(|(edge, _)| *edge).chain(question.carries.iter().map(|carry| carry.edge));
+    if let Some(edge) = asked.into_iter().find(|edge| *edge >= hull.len()) {
+        return Err(ThrowError::NoSuchEdge { edge, last: hull.len() - 1 });
+    }
+    let (system, edges) = System::new(&hull, &part.center_of_mass, &part.gyration2(), thrower, question.settling);
+    if !system.is_in_range() {
+        return Err(ThrowError::OutOfRange);
+    }
+    let grasp = grasp::common(&edges, &thrower.offset).ok_or(ThrowError::OutOfRange)?;
+    let reach = reach::reach(&system);
+    let hybrid = hybrid::hybrid(&system, &reach.edges);
+    let limit = limit::limit_sets(&system, &reach, question.starts, &mut |done, of| {
+        watch(ThrowProgress { stage: ThrowStage::Orbits, done, of })
+    });
+    let certificate =
+        proof::certify(&system, &reach, &mut |done, of| watch(ThrowProgress { stage: ThrowStage::Proof, done, of }));
+    let classes = classes(outline, &part.center_of_mass, &system.stable);
+    let ends = |edge: usize| system.near().ends(edge);
+    let sensors: Vec<Sensor> = limit
+        .sets
+        .iter()
+        .enumerate()
+        .map(|(number, set)| {
+            sensor::sensor(number, set, &classes, ends, &system.orbits_from(&set.starts, set.transient))
+        })
+        .collect();
+    let replay = match limit.sets.first() {
+        Some(set) if question.replay => replay::replay(&system, set),
+        _ => Vec::new(),
+    };
+    Ok(Throw {
+        hull,
+        stable: system.stable.clone(),
+        classes,
+        edges,
+        grasp,
+        lambda: system.lambda(),
+        part_radius: system.part_radius,
+        concave: system.near().is_concave(),
+        reach,
+        hybrid,
+        limit,
+        sensors,
+        certificate,
+        throws: question.throws.iter().map(|(edge, radius)| query(&system, *edge, radius)).collect(),
+        carries: Vec::new(),
+        replay,
+        design: None,
+    })
+}
+
+/// Stable edges that a turn about the center of mass takes to each other.
+fn classes(outline: &Polygon, center_of_mass: &[Q; 2], stable: &[usize]) -> Vec<Vec<usize>> {
+    let shift = symmetry_shift(outline, center_of_mass);
+    let mut classes: Vec<Vec<usize>> = Vec::new();
+    for edge in stable {
+        match classes.iter_mut().find(|class| class[0] % shift == edge % shift) {
+            Some(class) => class.push(*edge),
+            None => classes.push(vec![*edge]),
+        }
+    }
+    classes
+}
+
+/// A throw that was asked for, with what a break of the map nearby may make of it.
+fn query(system: &System, edge: usize, radius: &Q) -> ThrowQuery {
+    /// Radii on each side at which a break may show another branch.
+    const TRIED: i32 = 4;
+    let [low, high] = FloatInterval::of_rational(radius).ends();
+    let (within, middle) = (DOUBT * system.part_radius, 0.5 * (low + high));
+    let mut fates = vec![system.fate((edge, middle))];
+    let least = system.low(edge);
+    let mut is_certain = true;
+    if middle >= least {
+        let radii = FloatInterval::from_ends((low - within).max(least), high + within);
+        let branches = system.branches(edge, radii);
+        is_certain =
+            matches!(&branches[..], [Branch { end: BranchEnd::Rest { .. } | BranchEnd::Other(Elsewhere::OffArm), .. }]);
+        if !is_certain {
+            let tried = (-TRIED..=TRIED).map(|k| middle + within * f64::from(k) / f64::from(TRIED));
+            for other in tried.filter(|radius| *radius >= least).map(|radius| system.fate((edge, radius))) {
+                if fates.iter().all(|known| !is_alike(known, &other)) {
+                    fates.push(other);
+                }
+            }
+        }
+    }
+    ThrowQuery { edge, radius: radius.clone(), fates, is_certain, within }
+}
+
+/// Whether two throws end in the same way, at radii that may differ.
+fn is_alike(a: &Fate, b: &Fate) -> bool {
+    match (a, b) {
+        (Fate::Caught(a), Fate::Caught(b)) => (a.edge, a.steps, a.impact_vertex) == (b.edge, b.steps, b.impact_vertex),
+        _ => std::mem::discriminant(a) == std::mem::discriminant(b),
+    }
+}

@@ -1,0 +1,92 @@
+//! What a one-bit sensor in the arm can tell: it is covered, or not.
+
+use super::system::State;
+use crate::answer::{LimitSet, Sensor, SensorWindow};
+use std::collections::BTreeMap;
+
+/// Finds all radii at which "covered" means one edge, or edges that look alike.
+///
+/// `ends` gives u_l and u_r of an edge; `orbits` are those that came to the set, from their starts on.
+pub(super) fn sensor(
+    number: usize,
+    set: &LimitSet,
+    classes: &[Vec<usize>],
+    ends: impl Fn(usize) -> [f64; 2],
+    orbits: &[Vec<State>],
+) -> Sensor {
+    let footprint = |(edge, [low, high]): (&usize, &[f64; 2])| (*edge, [low + ends(*edge)[0], high + ends(*edge)[1]]);
+    let footprints: BTreeMap<usize, [f64; 2]> = set.bands.iter().map(footprint).collect();
+    let covers = |at: &State, sensor: f64| {
+        let [left, right] = ends(at.0);
+        at.1 + left <= sensor && sensor <= at.1 + right
+    };
+    let window = |edges: Vec<usize>, range: [f64; 2], is_seen: &dyn Fn(&State, f64) -> bool, at: f64| {
+        let seen = set.orbit.iter().filter(|state| is_seen(state, at)).count();
+        let from_start = |orbit: &Vec<State>| {
+            orbit.iter().skip(set.transient).position(|state| is_seen(state, at)).map(|place| place + set.transient)
+        };
+        let first: Vec<usize> = orbits.iter().filter_map(from_start).collect();
+        SensorWindow {
+            edges,
+            range,
+            at,
+            throws_per_part: set.orbit.len() as f64 / seen as f64,
+            throws_from_start: first.iter().sum::<usize>() as f64 / first.len() as f64,
+            settle_throws: set.transient,
+        }
+    };
+    let mut windows = Vec::new();
+    for class in classes {
+        for [low, high] in alone(&footprints, class) {
+            let edges = class.iter().copied().filter(|edge| footprints.contains_key(edge)).collect();
+            windows.push(window(edges, [low, high], &covers, most_often(set, [low, high], &covers)));
+        }
+    }
+    windows.sort_by(|a, b| (b.range[1] - b.range[0]).total_cmp(&(a.range[1] - a.range[0])));
+    let beyond = classes.iter().find_map(|class| {
+        let top = |is_in: bool| {
+            let edges = set.bands.iter().filter(|(edge, _)| class.contains(edge) == is_in);
+            edges.map(|(_, band)| band[1]).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let (others, own) =
+            (top(false).max(set.bands.values().map(|band| band[0]).fold(f64::INFINITY, f64::min)), top(true));
+        let edges = class.iter().copied().filter(|edge| set.bands.contains_key(edge)).collect();
+        let is_seen = |state: &State, at: f64| state.1 > at;
+        (own > others).then(|| window(edges, [others, own], &is_seen, others))
+    });
+    Sensor { set: number, footprints, windows, beyond }
+}
+
+/// Where in a window a part is seen most often, as near its middle as may be.
+fn most_often(set: &LimitSet, [low, high]: [f64; 2], covers: &dyn Fn(&State, f64) -> bool) -> f64 {
+    const PLACES: usize = 64;
+    let middle = 0.5 * (low + high);
+    let place = |k: usize| low + (high - low) * (k as f64 + 0.5) / PLACES as f64;
+    let seen = |at: f64| set.orbit.iter().filter(|state| covers(state, at)).count();
+    // a tenth of the window stays free on both sides
+    let places = (0..PLACES).map(place).filter(|at| (at - middle).abs() <= 0.4 * (high - low));
+    places
+        .max_by(|a, b| seen(*a).cmp(&seen(*b)).then((b - middle).abs().total_cmp(&(a - middle).abs())))
+        .unwrap_or(middle)
+}
+
+/// The parts of the line that footprints of this class cover, and those of no other.
+fn alone(footprints: &BTreeMap<usize, [f64; 2]>, class: &[usize]) -> Vec<[f64; 2]> {
+    let mut ends: Vec<f64> = footprints.values().flatten().copied().collect();
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    let covered_by = |middle: f64, is_in: bool| {
+        footprints.iter().any(|(edge, [low, high])| class.contains(edge) == is_in && *low < middle && middle < *high)
+    };
+    let mut windows: Vec<[f64; 2]> = Vec::new();
+    for pair in ends.windows(2) {
+        let middle = 0.5 * (pair[0] + pair[1]);
+        if covered_by(middle, true) && !covered_by(middle, false) {
+            match windows.last_mut() {
+                Some(last) if last[1] == pair[0] => last[1] = pair[1],
+                _ => windows.push([pair[0], pair[1]]),
+            }
+        }
+    }
+    windows
+}
