@@ -46,6 +46,22 @@ pub struct Throw {
     pub design: Option<Design>,
 }
 
+impl Throw {
+    /// `plan` if all starts in the ranges come to one limit set that a sensor reads, `no-plan` if it is proved that the map
+    /// leads out of them, `undecided` else.
+    #[must_use]
+    pub fn status(&self) -> &'static str {
+        let is_read = self.sensors.first().is_some_and(|sensor| !sensor.windows.is_empty());
+        if self.limit.is_unique_in_reach && is_read {
+            "plan"
+        } else if self.certificate.counterexample.is_some() {
+            "no-plan"
+        } else {
+            "undecided"
+        }
+    }
+}
+
 /// An edge of the hull as a place to be thrown from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GraspEdge {
@@ -456,6 +472,20 @@ pub struct Setting {
     pub friction: f64,
     /// Whether type and edge are the same at the corners of the tolerance of the center of mass.
     pub is_tolerant: bool,
+}
+
+impl SettingKind {
+    /// Its name in results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Feeder => "feeder",
+            Self::Blind => "blind",
+            Self::Several => "several",
+            Self::Lost => "lost",
+            Self::Open => "open",
+        }
+    }
 }
 
 /// Type of the limit sets of a setting.

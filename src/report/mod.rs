@@ -13,7 +13,7 @@ mod phrase;
 
 pub use motion::{Run, Shown};
 
-use crate::model::{Conveyor, Fixture, Part, Range};
+use crate::model::{Conveyor, Fixture, Part, Range, Thrower};
 use num_traits::Zero as _;
 
 /// What an answer is about.
@@ -44,6 +44,21 @@ pub struct Ride<'a> {
     pub end: Option<usize>,
     /// How many pins were allowed.
     pub max_pins: Option<usize>,
+}
+
+/// What an answer about throws is about.
+#[derive(Debug, Clone, Copy)]
+pub struct Toss<'a> {
+    /// Name of the case, or of its file.
+    pub name: &'a str,
+    /// The part.
+    pub part: &'a Part,
+    /// What throws it.
+    pub thrower: &'a Thrower,
+    /// Warnings of the reader.
+    pub warnings: &'a [String],
+    /// Whether a part comes to rest on the first stable edge that it lands on.
+    pub settles_first: bool,
 }
 
 impl Ride<'_> {

@@ -8,6 +8,8 @@ mod polyhedron;
 mod sets;
 mod simulation;
 mod suggest;
+mod surd;
+mod throw;
 mod witness;
 
 pub use layout::document;
@@ -15,6 +17,7 @@ pub use pins::{PINS, pins, undecided_pins};
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 pub use simulation::{SIMULATE, simulation};
 pub use suggest::{SUGGEST, suggestion};
+pub use throw::{THROW, throw, undecided_throw};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};
