@@ -3,7 +3,8 @@
 use super::expected;
 use partplan::exact::{Q, Surd, ratio, to_f64};
 use partplan::mechanics::throwing::{Load, RestingEdge};
-use partplan::model::Shape;
+use partplan::model::{Shape, Thrower};
+use partplan::planner::{self, CarryQuestion, ThrowError, ThrowQuestion};
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
@@ -189,4 +190,23 @@ fn a_part_that_cannot_slip_is_held_at_least_as_well() {
         assert!(least.is_none_or(|least| from.is_some_and(|from| least <= from)));
         assert!(most.is_none_or(|most| to.is_some_and(|to| to <= most)));
     }
+}
+
+/// By the planner: the least friction of the range holds whatever the friction is.
+#[test]
+fn carries_that_are_asked_for_are_answered_with_the_least_friction() {
+    let case = expected::of("triangle_friction");
+    let (part, mut thrower) = (case.part(), case.thrower());
+    let asked = CarryQuestion { edge: 2, radius: ratio(12, 1), angle_deg: ratio(0, 1), rate: ratio(1, 1) };
+    let question = ThrowQuestion { carries: vec![asked], ..Default::default() };
+    let plan = |thrower: &Thrower| planner::throw(&part, thrower, &question, &mut |_| false);
+    let found = plan(&thrower).unwrap().carries.remove(0);
+    assert_eq!((found.edge, &found.radius, &found.friction), (2, &ratio(12, 1), &ratio(1, 5)));
+    // f_u = -13/6 α - 12, f_v = 12 α - 13/6 + 966: f_u = f_v / 5 bounds first
+    let least = ratio(-6_143, 137);
+    assert_eq!(found.accelerations, Some([Some([least.clone(), least]), None]));
+    thrower.friction.as_mut().unwrap().max = ratio(1, 1);
+    assert_eq!(plan(&thrower).unwrap().carries[0], found);
+    thrower.friction = None;
+    assert_eq!(plan(&thrower).unwrap_err(), ThrowError::NoFriction);
 }

@@ -3,6 +3,7 @@
 use super::expected::{self, Expected, index};
 use partplan::answer::{Fate, SurdRatio, Throw};
 use partplan::exact::{Q, Surd, parse_literal, ratio};
+use partplan::model::Part;
 use partplan::planner::{self, ThrowError, ThrowQuestion};
 use serde_json::{Value, json};
 
@@ -115,6 +116,17 @@ fn the_least_friction_of_a_range_decides() {
     mu.max = ratio(9, 10);
     let found = planner::throw(&case.part(), &thrower, &ThrowQuestion::default(), &mut |_| false).unwrap();
     assert_eq!(found.edges[2].grasp.as_ref().unwrap().r_grasp, Surd::from(ratio(65, 6)));
+}
+
+#[test]
+fn a_center_of_mass_that_leaves_the_resting_edges_open_is_refused() {
+    let case = expected::of("pentagon");
+    let mut part = case.part();
+    let plan = |part: &Part| planner::throw(part, &case.thrower(), &ThrowQuestion::default(), &mut |_| false);
+    part.center_of_mass_tolerance = ratio(1, 100);
+    assert!(plan(&part).is_ok());
+    part.center_of_mass_tolerance = ratio(5, 1);
+    assert!(matches!(plan(&part), Err(ThrowError::UncertainRest { .. })));
 }
 
 #[test]
