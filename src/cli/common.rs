@@ -2,7 +2,7 @@
 
 use super::limit::Limits;
 use super::output::Format;
-use clap::builder::NonEmptyStringValueParser;
+use clap::builder::{NonEmptyStringValueParser, TypedValueParser};
 use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::Mode;
 use partplan::planner::Question;
@@ -118,6 +118,13 @@ impl When {
             }
         }
     }
+}
+
+/// Reads a whole number from `least` on.
+pub fn count(least: u64) -> impl TypedValueParser<Value = usize> {
+    clap::value_parser!(u64)
+        .range(least..=u64::from(u32::MAX))
+        .map(|number| usize::try_from(number).unwrap_or(usize::MAX))
 }
 
 /// Reads `fx,fy,torque`.
