@@ -7,6 +7,7 @@ use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::Mode;
 use partplan::planner::Question;
 use std::io::IsTerminal as _;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 /// What is read, how far, and how the answer is written.
@@ -122,9 +123,12 @@ impl When {
 
 /// Reads a whole number from `least` on.
 pub fn count(least: u64) -> impl TypedValueParser<Value = usize> {
-    clap::value_parser!(u64)
-        .range(least..=u64::from(u32::MAX))
-        .map(|number| usize::try_from(number).unwrap_or(usize::MAX))
+    count_within(least..=u64::from(u32::MAX))
+}
+
+/// Reads a whole number in a range.
+pub fn count_within(range: RangeInclusive<u64>) -> impl TypedValueParser<Value = usize> {
+    clap::value_parser!(u64).range(range).map(|number| usize::try_from(number).unwrap_or(usize::MAX))
 }
 
 /// Reads `fx,fy,torque`.

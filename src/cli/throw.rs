@@ -1,6 +1,6 @@
 //! `plan throw`: throws from an arm that bring a part into one motion pattern.
 
-use super::common::{Common, count};
+use super::common::{Common, count_within};
 use super::progress::Bar;
 use super::stop::{Reason, Stop};
 use super::sweep::{self, Controls};
@@ -38,7 +38,7 @@ pub struct Args {
     settle: Settle,
 
     /// Follow orbits from so many radii on each stable edge
-    #[arg(long, value_name = "N", default_value_t = ThrowQuestion::default().starts, value_parser = count(1))]
+    #[arg(long, value_name = "N", default_value_t = ThrowQuestion::default().starts, value_parser = count_within(1..=10_000))]
     starts: usize,
 
     /// Also try arms with these offsets and release speeds in degrees per second, and recommend one; what is left out stays as
@@ -63,7 +63,7 @@ pub struct Args {
     margin: Q,
 
     /// Try so many values of each control
-    #[arg(long, value_name = "N", default_value_t = 24, value_parser = count(2), requires = "sweep")]
+    #[arg(long, value_name = "N", default_value_t = 24, value_parser = count_within(2..=1_000), requires = "sweep")]
     grid: usize,
 
     /// Draw the answer into this file
