@@ -6,11 +6,19 @@ use partplan::exact::{Q, Surd, parse_literal, ratio};
 use partplan::model::Part;
 use partplan::planner::{self, ThrowError, ThrowQuestion};
 use serde_json::{Value, json};
+use std::sync::LazyLock;
 
-/// What is exact of the answer, without waiting for orbits and proofs.
-fn plan(case: &Expected, question: &ThrowQuestion) -> Throw {
-    planner::throw(&case.part(), &case.thrower(), question, &mut |_| false).unwrap()
-}
+/// What is exact of each answer, without waiting for orbits and proofs; asked about the throws that are refused.
+static ANSWERS: LazyLock<Vec<(Expected, Throw)>> = LazyLock::new(|| {
+    let asked = |throw: &Value| (index(&throw["edge"]), parse_literal(throw["R"].as_str().unwrap()).unwrap());
+    let answer = |case: Expected| {
+        let throws = case.answer["refused"].as_array().unwrap().iter().map(asked).collect();
+        let question = ThrowQuestion { throws, ..Default::default() };
+        let answer = planner::throw(&case.part(), &case.thrower(), &question, &mut |_| false).unwrap();
+        (case, answer)
+    };
+    expected::all().into_iter().map(answer).collect()
+});
 
 /// A number as the public cases spell it, without its decimal.
 fn spelled(number: &Surd) -> Value {
@@ -41,8 +49,7 @@ fn without_decimals(value: &Value) -> Value {
 
 #[test]
 fn edges_of_the_public_cases_agree_string_by_string() {
-    for case in expected::all() {
-        let answer = plan(&case, &ThrowQuestion::default());
+    for (case, answer) in ANSWERS.iter() {
         let hull: Value =
             answer.hull.iter().map(|corner| corner.each_ref().map(Q::to_string)).map(|c| json!(c)).collect();
         assert_eq!((hull, json!(answer.stable)), (case.answer["hull"].clone(), case.answer["stable_edges"].clone()));
@@ -72,9 +79,9 @@ fn edges_of_the_public_cases_agree_string_by_string() {
 
 #[test]
 fn common_grasps_of_the_public_cases_agree_string_by_string() {
-    for case in expected::all() {
-        let grasp = plan(&case, &ThrowQuestion::default()).grasp;
-        let (mu_common, mu_edgewise) = (grasp.mu_common.unwrap(), grasp.mu_edgewise.unwrap());
+    for (case, answer) in ANSWERS.iter() {
+        let grasp = &answer.grasp;
+        let (mu_common, mu_edgewise) = (grasp.mu_common.as_ref().unwrap(), grasp.mu_edgewise.as_ref().unwrap());
         let found = json!({
             "R_common": spelled(&grasp.r_common.1),
             "R_common_edge": grasp.r_common.0,
@@ -89,11 +96,8 @@ fn common_grasps_of_the_public_cases_agree_string_by_string() {
 
 #[test]
 fn throws_outside_of_the_domain_are_refused_for_the_reason_expected() {
-    for case in expected::all() {
+    for (case, answer) in ANSWERS.iter() {
         let refused = case.answer["refused"].as_array().unwrap();
-        let asked = |throw: &Value| (index(&throw["edge"]), parse_literal(throw["R"].as_str().unwrap()).unwrap());
-        let question = ThrowQuestion { throws: refused.iter().map(asked).collect(), ..Default::default() };
-        let answer = plan(&case, &question);
         assert_eq!(answer.throws.len(), refused.len());
         for (query, throw) in answer.throws.iter().zip(refused) {
             let outcome = match query.fates[0] {
