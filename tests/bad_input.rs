@@ -137,21 +137,21 @@ fn values_of_the_wrong_shape() {
             "known keys here: shape, center_of_mass",
         ),
         bad(
-            part("\"mass\": 1}, §\"inserts\": {}, \"throw\": {\"x\": 1"),
+            part("\"mass\": 1}, §\"inserts\": {}, \"scene\": {\"x\": 1"),
             "C011",
             "inserts",
             "unknown key `inserts`",
             "`insert`",
         ),
         bad(
-            part("\"mass\": 1}, \"name\": §3, \"throw\": {\"x\": 1"),
+            part("\"mass\": 1}, \"name\": §3, \"scene\": {\"x\": 1"),
             "C012",
             "name",
             "expected a string, found a number",
             "\"name\"",
         ),
         bad(
-            part("\"mass\": 1}, \"length_unit\": §\"inch\", \"throw\": {\"x\": 1"),
+            part("\"mass\": 1}, \"length_unit\": §\"inch\", \"scene\": {\"x\": 1"),
             "C016",
             "length_unit",
             "unit of length `inch`",
@@ -724,6 +724,48 @@ fn sections_of_pins() {
 }
 
 #[test]
+fn sections_of_throw() {
+    let square = "\"part\": {\"shape\": {\"polygon\": [[0, 0], [1, 0], [1, 1], [0, 1]]}}";
+    let section = |section: &str| format!("{{{square},\n \"throw\": {section}}}");
+    let arm = |rest: &str| section(&format!("{{\"offset\": -0.5, \"release_deg_per_s\": 320, {rest}}}"));
+    let circle = "{\"part\": {\"shape\": {\"circle\": {\"center\": [0, 0], \"radius\": 1}}},\n";
+    for case in [
+        bad(section("§[]"), "C012", "throw", "expected an object, found a list", "release_deg_per_s"),
+        bad(section("§{\"offset\": 0}"), "C014", "throw.release_deg_per_s", "is missing", "320 for instance"),
+        bad(section("§{\"release_deg_per_s\": 320}"), "C014", "throw.offset", "is missing", "-0.5 for instance"),
+        bad(section("{\"offset\": §\"low\", \"release_deg_per_s\": 320}"), "C020", "throw.offset", "`low`", "1e-3"),
+        bad(
+            section("{\"offset\": 0, \"release_deg_per_s\": §0}"),
+            "C022",
+            "throw.release_deg_per_s",
+            "must be positive, not 0",
+            "above 0",
+        ),
+        bad(arm("\"gravity\": §-966"), "C022", "throw.gravity", "must be positive, not -966", "above 0"),
+        bad(arm("\"friction\": §0"), "C022", "throw.friction", "must be positive, not 0", "leave friction out"),
+        bad(
+            arm("\"friction\": §{\"min\": 0, \"max\": 1}"),
+            "C022",
+            "throw.friction",
+            "must be positive, not 0",
+            "write a coefficient above 0",
+        ),
+        bad(arm("\"friction\": §-1"), "C023", "throw.friction", "must not be negative, not -1", "write 0.2"),
+        bad(arm("§\"frictoin\": 1"), "C011", "throw.frictoin", "unknown key", "did you mean `friction`?"),
+        bad(arm("§\"speed\": 1"), "C011", "throw.speed", "unknown key `speed`", "offset, release_deg_per_s, gravity"),
+        bad(
+            format!("{circle} §\"throw\": {{\"offset\": 0, \"release_deg_per_s\": 320}}}}"),
+            "C054",
+            "throw",
+            "a circle has no edges",
+            "give it as a polygon",
+        ),
+    ] {
+        check(&case);
+    }
+}
+
+#[test]
 fn all_faults_of_a_pins_section_are_reported_with_those_of_the_part() {
     let text = r#"{"part": {"shape": {"polygon": [[0, 0], [1, 0], [0, 1]]}, "mass": 0},
  "pins": {"belt_friction": {"static": 1}, "pin_friction": [-1], "pins": 3}, "insert": {}}"#;
@@ -786,7 +828,7 @@ fn deep_nesting_is_refused_before_anything_recurses() {
         assert!(faults[0].message().contains("more than 64 deep"));
         assert!(render(&faults, "deep.json", text.as_bytes(), false).len() < 1000);
     }
-    let allowed = format!("{{\"throw\": {}{}, \"part\": {{}}}}", "[".repeat(63), "]".repeat(63));
+    let allowed = format!("{{\"scene\": {}{}, \"part\": {{}}}}", "[".repeat(63), "]".repeat(63));
     assert_eq!(codes(&faults(&allowed)), ["C014"]);
 }
 
@@ -878,12 +920,22 @@ fn a_missing_pins_section_shows_the_smallest_one() {
     assert_eq!((conveyor.belt_friction.min, conveyor.pin_friction.max), (ratio(1, 2), ratio(1, 10)));
 }
 
+#[test]
+fn a_missing_throw_section_shows_the_smallest_one() {
+    let fault = missing_section("throw");
+    let example = fault.help_text().unwrap().split_once("is ").unwrap().1.to_string();
+    let text = format!("{{\"part\": {{\"shape\": {{\"polygon\": [[0, 0], [1, 0], [0, 1]]}}}}, {example}}}");
+    let thrower = read(text.as_bytes(), &Limits::default()).unwrap().thrower.unwrap();
+    assert_eq!((thrower.offset, thrower.release_deg_per_s), (ratio(-1, 2), ratio(320, 1)));
+}
+
 /// A case with every kind of value, to be mutated.
 const VALID: &str = r#"{"name": "x", "length_unit": "cm", "part": {"shape": {"polygon": [[0, 0], [8, 0], [9, 4], [3, 7], ["-1", 3.0e0]]},
  "center_of_mass": {"at": [4, 3], "tolerance": 0.05}, "mass": "1/3", "radius_of_gyration": 1e-3}, "insert": {"fixels": [
  {"at": [2, 0], "friction": 0.2}, {"edge": 3, "s": "1/4", "friction": {"static": 0.3, "kinetic": {"min": 0, "max": 0.2}}},
  {"at": [-1, 3], "normal": [2, -1], "friction": {"angle_deg": {"min": 1, "max": 3}}}]}, "pins": {"belt_friction": {"min": 1, "max": "4/3"},
- "pin_friction": {"angle_deg": {"min": 1, "max": 3}}}}"#;
+ "pin_friction": {"angle_deg": {"min": 1, "max": 3}}}, "throw": {"offset": "-1/2", "release_deg_per_s": 320, "gravity": 966,
+ "friction": {"min": 0.3, "max": 0.4}}}"#;
 
 #[test]
 fn the_case_to_be_mutated_is_valid() {

@@ -159,6 +159,7 @@ fn sections_of_other_tasks_are_left_alone() {
     assert!(read_for(Section::Insert, disc.as_bytes(), &Limits::default()).unwrap().fixture.is_some());
     let pins = r#"{"insert": 3, "part": {"shape": {"polygon": [[0, 0], [1, 0], [0, 1]]}}, "pins": {"belt_friction": 1, "pin_friction": 0}}"#;
     assert!(read_for(Section::Pins, pins.as_bytes(), &Limits::default()).unwrap().conveyor.is_some());
+    assert!(read_for(Section::Throw, pins.as_bytes(), &Limits::default()).unwrap().thrower.is_none());
 }
 
 /// The friction of belt and pin, in any spelling but a static and kinetic pair.
@@ -178,6 +179,24 @@ fn friction_of_pins_is_one_range() {
     assert_eq!(pin, range("1", "1"));
     // as the friction of a fixel is read
     assert_eq!([belt.clone(), belt], friction("{\"angle_deg\": {\"min\": 51, \"max\": 55}}"));
+}
+
+/// Gravity of 9.81 m/s² in the unit of the case, unless it is given.
+#[test]
+fn arms_are_read_exactly() {
+    let thrower = |unit: &str, rest: &str| {
+        let arm = format!("{{\"offset\": \"-1/3\", \"release_deg_per_s\": 320.5{rest}}}");
+        let text = format!("{{\"length_unit\": \"{unit}\", \"part\": {{\"shape\": {RECTANGLE}}}, \"throw\": {arm}}}");
+        case(&text).thrower.unwrap()
+    };
+    for (unit, gravity) in [("m", "9.81"), ("cm", "981"), ("mm", "9810")] {
+        let found = thrower(unit, "");
+        assert_eq!((found.offset, found.release_deg_per_s), (q("-1/3"), q("320.5")));
+        assert_eq!((found.gravity, found.friction), (q(gravity), None));
+    }
+    let found = thrower("cm", r#", "gravity": 966, "friction": {"min": 0.3, "max": 0.5}"#);
+    assert_eq!((found.gravity, found.friction), (q("966"), Some(range("0.3", "0.5"))));
+    assert_eq!(thrower("m", r#", "friction": {"angle_deg": 45}"#).friction, Some(range("1", "1")));
 }
 
 #[test]

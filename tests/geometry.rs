@@ -1,7 +1,7 @@
 //! Exact geometry: textbook figures, invariance, and brute force on small polygons.
 
-use partplan::exact::{Q, ratio};
-use partplan::geometry::{Location, Polygon, PolygonFault};
+use partplan::exact::{Q, Z, ratio, to_f64};
+use partplan::geometry::{Location, Polygon, PolygonFault, direction_of_degrees};
 use proptest::prelude::*;
 use std::cmp::Ordering::{Greater, Less};
 
@@ -181,6 +181,41 @@ fn is_simple(list: &[[Q; 2]]) -> bool {
         at(i) != at(i + 1) && !(cross(&before, &after) == ratio(0, 1) && dot(&before, &after) > ratio(0, 1))
     }) && (0..n)
         .all(|i| (i + 2..n).all(|j| (i == 0 && j == n - 1) || !share_a_point(at(i), at(i + 1), at(j), at(j + 1))))
+}
+
+/// cos 60 = 1/2, and sin² 60 = 3/4, in all four quadrants.
+#[test]
+fn directions_hold_the_exact_cosine_and_sine() {
+    for (degrees, is_opposite) in
+        [(60, [false, false]), (120, [true, false]), (-120, [true, true]), (660, [false, true])]
+    {
+        let bounds = direction_of_degrees(&ratio(degrees, 1), 128);
+        let [cosine, sine] = [0, 1].map(|k: usize| {
+            let [low, high] = bounds[k].clone();
+            if is_opposite[k] { [-high, -low] } else { [low, high] }
+        });
+        assert!(cosine[0] < ratio(1, 2) && ratio(1, 2) < cosine[1]);
+        assert!(&sine[0] * &sine[0] < ratio(3, 4) && ratio(3, 4) < &sine[1] * &sine[1]);
+    }
+}
+
+proptest! {
+    /// Bounds are as close as their places allow, hold what doubles say, and 1 = cos² + sin².
+    #[test]
+    fn directions_are_enclosed_closely(thousandths in -800_000..800_000_i64, bits in 64..400_usize) {
+        let degrees = ratio(thousandths, 1_000);
+        let bounds = direction_of_degrees(&degrees, bits);
+        let (sine, cosine) = to_f64(&degrees).to_radians().sin_cos();
+        let (mut least, mut most) = (ratio(0, 1), ratio(0, 1));
+        for ([low, high], near) in bounds.iter().zip([cosine, sine]) {
+            prop_assert!(low <= high && (high - low) * Q::from(Z::from(1) << (bits - 12)) <= ratio(1, 1));
+            prop_assert!((to_f64(low) - near).abs() < 1e-14);
+            let squares = [low * low, high * high];
+            least += squares.iter().min().unwrap();
+            most += squares.iter().max().unwrap();
+        }
+        prop_assert!(least <= ratio(1, 1) && ratio(1, 1) <= most);
+    }
 }
 
 proptest! {

@@ -2,11 +2,12 @@
 
 use super::limit::Limits;
 use super::output::Format;
-use clap::builder::NonEmptyStringValueParser;
+use clap::builder::{NonEmptyStringValueParser, TypedValueParser};
 use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::Mode;
 use partplan::planner::Question;
 use std::io::IsTerminal as _;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 /// What is read, how far, and how the answer is written.
@@ -118,6 +119,16 @@ impl When {
             }
         }
     }
+}
+
+/// Reads a whole number from `least` on.
+pub fn count(least: u64) -> impl TypedValueParser<Value = usize> {
+    count_within(least..=u64::from(u32::MAX))
+}
+
+/// Reads a whole number in a range.
+pub fn count_within(range: RangeInclusive<u64>) -> impl TypedValueParser<Value = usize> {
+    clap::value_parser!(u64).range(range).map(|number| usize::try_from(number).unwrap_or(usize::MAX))
 }
 
 /// Reads `fx,fy,torque`.

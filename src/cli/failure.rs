@@ -3,7 +3,7 @@
 use partplan::cone::format::FormatError;
 use partplan::dynamics::SimulationError;
 use partplan::mechanics::ModeError;
-use partplan::planner::{PinsError, SuggestError};
+use partplan::planner::{PinsError, SuggestError, ThrowError};
 use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -54,6 +54,9 @@ pub enum Failure {
     /// Pins cannot be planned.
     #[error("error: {0}")]
     Pins(#[from] PinsError),
+    /// Throws cannot be planned.
+    #[error("error: {0}")]
+    Throw(#[from] ThrowError),
     /// A polyhedron file is wrong.
     #[error("error: {path}:{fault}")]
     Polyhedron { path: String, fault: FormatError },

@@ -3,7 +3,7 @@
 use super::common::{Common, Fixtured};
 use super::{Failure, output};
 use partplan::case::{self, Case, SceneCase, Section};
-use partplan::model::{Conveyor, Fixture};
+use partplan::model::{Conveyor, Fixture, Thrower};
 use partplan::report::{Ride, Subject};
 use std::fs::File;
 use std::io::{self, Read};
@@ -47,6 +47,11 @@ pub fn fixtured(args: &Fixtured) -> Result<Task<Fixture>, Failure> {
 /// Reads a case with a `pins` section.
 pub fn conveyed(common: &Common) -> Result<Task<Conveyor>, Failure> {
     task(common, &common.case_limits(), Section::Pins, |case| case.conveyor.take())
+}
+
+/// Reads a case with a `throw` section.
+pub fn thrown(common: &Common) -> Result<Task<Thrower>, Failure> {
+    task(common, &common.case_limits(), Section::Throw, |case| case.thrower.take())
 }
 
 /// Reads the case, says its warnings on standard error, and looks for its section.

@@ -14,6 +14,8 @@ mod simulate;
 mod stable;
 mod stop;
 mod suggest;
+mod sweep;
+mod throw;
 
 pub use failure::{Failure, Outcome, end};
 
@@ -40,6 +42,7 @@ enum Command {
     Stable(stable::Args),
     Cone(cone::Args),
     Pins(pins::Args),
+    Throw(Box<throw::Args>),
     Simulate(simulate::Args),
     Convert(convert::Args),
 }
@@ -55,6 +58,7 @@ impl Cli {
             Command::Stable(args) => stable::run(args, out),
             Command::Cone(args) => cone::run(args, out),
             Command::Pins(args) => pins::run(args, out),
+            Command::Throw(args) => throw::run(args, out),
             Command::Simulate(args) => simulate::run(args, out),
             Command::Convert(args) => convert::run(args, out),
         }

@@ -1,9 +1,9 @@
 //! A bar on standard error while a search or a run goes on; nothing where standard error is no terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use partplan::planner::{Progress, Stage};
+use partplan::planner::{Progress, Stage, ThrowProgress, ThrowStage};
 
-/// Shows where a search of places stands.
+/// Shows where a search stands, stage by stage.
 #[derive(Debug, Clone)]
 pub struct Bar(ProgressBar);
 
@@ -15,19 +15,33 @@ impl Bar {
         Self(ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr()).with_style(style))
     }
 
-    /// Shows a step.
+    /// Shows a step of a search for places.
     pub fn show(&self, progress: &Progress) {
         let stage = match progress.stage {
             Stage::Survey => "estimating",
             Stage::Plan => "planning",
             Stage::Friction => "friction",
         };
+        self.set(stage, progress.done, progress.of);
+    }
+
+    /// Shows a step of planning throws.
+    pub fn show_throws(&self, progress: &ThrowProgress) {
+        let stage = match progress.stage {
+            ThrowStage::Orbits => "throwing",
+            ThrowStage::Proof => "proving",
+            ThrowStage::Sweep => "settings",
+        };
+        self.set(stage, progress.done, progress.of);
+    }
+
+    fn set(&self, stage: &'static str, done: usize, of: usize) {
         if self.0.message() != stage {
             self.0.set_message(stage);
             self.0.reset();
         }
-        self.0.set_length(progress.of as u64);
-        self.0.set_position(progress.done as u64);
+        self.0.set_length(of as u64);
+        self.0.set_position(done as u64);
     }
 
     /// Removes the bar.

@@ -1,10 +1,9 @@
 //! `plan simulate`: bodies that move, touch and slip.
 
-use super::common::Common;
+use super::common::{Common, count};
 use super::progress::Clock;
 use super::stop::{Reason, Stop};
 use super::{Failure, Outcome, input, output};
-use clap::builder::TypedValueParser as _;
 use partplan::answer::{Simulation, Status};
 use partplan::dynamics::{self, Mechanics, ModelKind, Options, SimulationError};
 use partplan::exact::{LiteralError, parse_literal, to_f64};
@@ -192,13 +191,6 @@ fn trajectory(text: &str) -> Result<PathBuf, &'static str> {
 fn positive(text: &str) -> Result<f64, NumberError> {
     let number = to_f64(&parse_literal(text.trim())?);
     if number > 0.0 && number < f64::MAX { Ok(number) } else { Err(NumberError::NotPositive) }
-}
-
-/// Reads a whole number from `least` on.
-fn count(least: u64) -> impl clap::builder::TypedValueParser<Value = usize> {
-    clap::value_parser!(u64)
-        .range(least..=u64::from(u32::MAX))
-        .map(|number| usize::try_from(number).unwrap_or(usize::MAX))
 }
 
 /// Why a text is not a number above 0.

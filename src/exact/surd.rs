@@ -17,7 +17,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// assert_eq!(&root(2) * &root(2), Surd::from(ratio(2, 1)));
 /// assert!(root(2) < root(3) && root(3) < Surd::from(ratio(7, 4)));
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Surd {
     a: Q,
     b: Q,
@@ -176,6 +176,15 @@ impl Ord for Surd {
     }
 }
 
+/// Of values, not of spellings: √12 is 2 √3.
+impl PartialEq for Surd {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Surd {}
+
 impl PartialOrd for Surd {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
@@ -282,6 +291,8 @@ mod tests {
     fn equal_numbers_of_two_spellings_are_equal() {
         let root = |b, n| Surd::new(ratio(1, 3), ratio(b, 1), ratio(n, 1));
         assert_eq!(root(2, 3).cmp(&root(1, 12)), Ordering::Equal);
+        assert_eq!(root(2, 3), root(1, 12));
+        assert_ne!(root(2, 3), root(1, 13));
         assert_eq!(root(-2, 3).cmp(&root(-1, 12)), Ordering::Equal);
         assert_eq!(Surd::new(ratio(0, 1), ratio(3, 1), ratio(4, 9)), Surd::from(ratio(2, 1)));
     }

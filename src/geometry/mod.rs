@@ -1,6 +1,7 @@
-//! Exact planar geometry: polygons, their moments, hulls, points on their outline, and tangents of angles.
+//! Exact planar geometry: polygons, their moments, hulls, points on their outline, and directions and tangents of angles.
 
 mod circle;
+mod direction;
 mod hull;
 mod moments;
 mod outline;
@@ -11,6 +12,7 @@ mod simple;
 mod tangent;
 
 pub use circle::rational_point_on_circle;
+pub use direction::direction_of_degrees;
 pub use moments::Moments;
 pub use outline::{Location, shortened};
 pub use polygon::{MAX_COORDINATE_BITS, MAX_REPORTED_FAULTS, Polygon, PolygonFault};

@@ -71,14 +71,14 @@ fn reciprocals([lower, upper]: [Q; 2]) -> Option<[Q; 2]> {
 }
 
 /// Sine and cosine of one fixed-point angle in [0, 1), each within `error` units.
-struct Series {
-    sine: Z,
-    cosine: Z,
-    error: Z,
+pub(super) struct Series {
+    pub(super) sine: Z,
+    pub(super) cosine: Z,
+    pub(super) error: Z,
 }
 
 impl Series {
-    fn new(angle: &Z, bits: usize) -> Self {
+    pub(super) fn new(angle: &Z, bits: usize) -> Self {
         let square: Z = (angle * angle) >> bits;
         let (mut sums, mut n_terms) = ([Z::zero(), Z::zero()], 0_u32);
         for (sum, first, start) in [(0, Z::one() << bits, 1_u32), (1, angle.clone(), 2)] {
@@ -104,7 +104,7 @@ impl Series {
 }
 
 /// Fixed-point bounds of π: 16 arctan(1/5) - 4 arctan(1/239) (Machin 1706).
-fn pi(bits: usize) -> [Z; 2] {
+pub(super) fn pi(bits: usize) -> [Z; 2] {
     let (fifth, fifth_terms) = arctangent_of_reciprocal(5, bits);
     let (other, other_terms) = arctangent_of_reciprocal(239, bits);
     let value = 16 * fifth - 4 * other;

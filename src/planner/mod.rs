@@ -21,4 +21,4 @@ pub use pins::{PinQuestion, PinsError, pins};
 pub use sets::{Question, mode_cones};
 pub use stability::stability;
 pub use suggest::{Progress, Stage, SuggestError, suggest};
-pub use throw::{CarryQuestion, ThrowError, ThrowProgress, ThrowQuestion, ThrowStage, throw};
+pub use throw::{CarryQuestion, Sweep, ThrowError, ThrowProgress, ThrowQuestion, ThrowStage, throw};

@@ -1,6 +1,8 @@
 //! `plan throw` against the public cases, the paper and the mechanics.
 
+mod carry;
 mod enclosure;
 mod expected;
+mod grasp;
 mod map;
 mod plan;

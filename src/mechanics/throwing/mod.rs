@@ -4,6 +4,7 @@
 //! Lynch, Northrop & Pan (2001), Stable limit sets in a dynamic parts feeder.
 
 mod body;
+mod carry;
 mod enclosure;
 mod flight;
 mod grasp;
@@ -13,6 +14,7 @@ mod real;
 mod roll;
 
 pub use body::Body;
+pub use carry::{Accelerations, Load};
 pub use enclosure::{Branch, BranchEnd, Branches, Elsewhere, Enclosing};
 pub use grasp::RestingEdge;
 pub use map::{Catch, Thrown};

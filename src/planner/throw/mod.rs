@@ -1,5 +1,6 @@
 //! Throws from an arm that bring a part into one motion pattern, and the sensor that reads it.
 
+mod carry;
 mod graph;
 mod grasp;
 mod hybrid;
@@ -14,9 +15,10 @@ mod system;
 
 use crate::answer::{Fate, Sensor, Throw, ThrowQuery};
 use crate::exact::{FloatInterval, Q};
-use crate::geometry::{Polygon, symmetry_shift};
-use crate::mechanics::throwing::{Branch, BranchEnd, Elsewhere, Settling};
+use crate::geometry::{Polygon, difference, dot, symmetry_shift};
+use crate::mechanics::throwing::{Branch, BranchEnd, Elsewhere, RestingEdge, Settling};
 use crate::model::{Part, Shape, Thrower};
+use num_traits::Signed as _;
 use system::System;
 
 /// What is asked of [`throw`].
@@ -30,13 +32,22 @@ pub struct ThrowQuestion {
     pub settling: Settling,
     /// Starts of orbits on each stable edge.
     pub starts: usize,
+    /// Settings of the arm to try, if any.
+    pub sweep: Option<Sweep>,
     /// Whether the motion in time is wanted, for playing.
     pub replay: bool,
 }
 
 impl Default for ThrowQuestion {
     fn default() -> Self {
-        Self { throws: Vec::new(), carries: Vec::new(), settling: Settling::Full, starts: 6, replay: false }
+        Self {
+            throws: Vec::new(),
+            carries: Vec::new(),
+            settling: Settling::Full,
+            starts: 6,
+            sweep: None,
+            replay: false,
+        }
     }
 }
 
@@ -51,6 +62,19 @@ pub struct CarryQuestion {
     pub angle_deg: Q,
     /// Angular velocity (rad/s).
     pub rate: Q,
+}
+
+/// Settings of the arm to try.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Sweep {
+    /// Offsets from and to (length).
+    pub offset: [Q; 2],
+    /// Release speeds from and to (degrees/s), positive.
+    pub release: [Q; 2],
+    /// Settings of each of the two where its ends differ.
+    pub grid: usize,
+    /// Relative margin that a recommended setting is to keep.
+    pub margin: Q,
 }
 
 /// Where the planner of throws is.
@@ -90,6 +114,17 @@ pub enum ThrowError {
         /// The last one.
         last: usize,
     },
+    /// The center of mass is not known well enough to say where the part rests.
+    #[error(
+        "whether the part rests on edge {edge} of its hull depends on where in its tolerance the center of mass is"
+    )]
+    UncertainRest {
+        /// The edge.
+        edge: usize,
+    },
+    /// A carry is asked about, and how the part slips is not known.
+    #[error("a carry needs the friction between part and arm; write \"friction\": 0.4 in the throw section")]
+    NoFriction,
     /// The numbers of the case are beyond those of doubles.
     #[error("the part's size and the arm's speed and gravity are too far apart for throws to be computed in doubles")]
     OutOfRange,
@@ -120,7 +155,11 @@ pub fn throw(
     if let Some(edge) = asked.into_iter().find(|edge| *edge >= hull.len()) {
         return Err(ThrowError::NoSuchEdge { edge, last: hull.len() - 1 });
     }
-    let (system, edges) = System::new(&hull, &part.center_of_mass, &part.gyration2(), thrower, question.settling);
+    check_rest(part, &hull)?;
+    let rho2 = part.gyration2();
+    let resting = RestingEdge::all(&hull, &part.center_of_mass, &rho2);
+    let carries = carry::carries(&resting, &rho2, thrower, &question.carries)?;
+    let (system, edges) = System::new(&hull, &part.center_of_mass, &rho2, thrower, question.settling);
     if !system.is_in_range() {
         return Err(ThrowError::OutOfRange);
     }
@@ -161,10 +200,28 @@ pub fn throw(
         sensors,
         certificate,
         throws: question.throws.iter().map(|(edge, radius)| query(&system, *edge, radius)).collect(),
-        carries: Vec::new(),
+        carries,
         replay,
         design: None,
     })
+}
+
+/// Whether the part rests on the same edges wherever in its tolerance the center of mass is.
+fn check_rest(part: &Part, hull: &[[Q; 2]]) -> Result<(), ThrowError> {
+    let tolerance = &part.center_of_mass_tolerance;
+    let [x, y] = part.center_of_mass.each_ref().map(|center| [center - tolerance, center + tolerance]);
+    let corners = [0, 1, 2, 3].map(|corner: usize| [x[corner % 2].clone(), y[corner / 2].clone()]);
+    for (edge, start) in hull.iter().enumerate() {
+        let end = &hull[(edge + 1) % hull.len()];
+        let along = difference(start, end);
+        let is_over = |from: &[Q; 2], to: &[Q; 2]| dot(&difference(from, to), &along).is_positive();
+        // the strip over the edge meets a box whose corners are on both sides of it, too
+        let sides = corners.each_ref().map(|corner| [is_over(start, corner), is_over(corner, end)]);
+        if sides.iter().any(|side| *side != sides[0]) {
+            return Err(ThrowError::UncertainRest { edge });
+        }
+    }
+    Ok(())
 }
 
 /// Stable edges that a turn about the center of mass takes to each other.
