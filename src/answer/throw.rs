@@ -1,6 +1,6 @@
 //! What the planner of throws returns.
 
-use super::Limit;
+
 use crate::exact::{Q, Surd};
 use std::collections::BTreeMap;
 
@@ -44,21 +44,36 @@ pub struct Throw {
     pub replay: Vec<Pose>,
     /// The arm settings tried, where a sweep was asked for.
     pub design: Option<Design>,
+    /// Whether it was stopped before its end.
+    pub is_stopped: bool,
 }
 
 impl Throw {
-    /// `plan` if all starts in the ranges come to one limit set that a sensor reads, `no-plan` if it is proved that the map
-    /// leads out of them, `undecided` else.
+    /// `plan` if it is proved that all throws from the set Z of the certificate come to one pattern, and a sensor reads it;
+    /// `no-plan` if it is proved that they do not; `undecided` else.
     #[must_use]
     pub fn status(&self) -> &'static str {
-        let is_read = self.sensors.first().is_some_and(|sensor| !sensor.windows.is_empty());
-        if self.limit.is_unique_in_reach && is_read {
+        let proof = &self.certificate;
+        let is_alone = |class: &Vec<usize>| class.len() == 1;
+        let n_patterns = proof.components.iter().filter(|component| component.is_terminal).count();
+        if self.is_stopped {
+            "undecided"
+        } else if proof.is_invariant && proof.is_unique && self.window().is_some() {
             "plan"
-        } else if self.certificate.counterexample.is_some() {
+        } else if proof.counterexample.as_ref().is_some_and(|example| example.leaves_domain)
+            // patterns on edges that look alike may be one for who looks at the part
+            || (n_patterns > 1 && self.classes.iter().all(is_alone))
+        {
             "no-plan"
         } else {
             "undecided"
         }
+    }
+
+    /// The recommended window of a sensor: the widest one that is proved.
+    #[must_use]
+    pub fn window(&self) -> Option<&SensorWindow> {
+        self.sensors.first()?.windows.iter().find(|window| window.proved.is_some())
     }
 }
 
@@ -335,6 +350,8 @@ pub struct SensorWindow {
     pub edges: Vec<usize>,
     /// From and to (length).
     pub range: [f64; 2],
+    /// The part of it in which "covered" means these edges for all that is recurrent, as the certificate proves.
+    pub proved: Option<[f64; 2]>,
     /// Where in it to put the sensor (length).
     pub at: f64,
     /// Mean throws between detections in the limit set.
@@ -373,8 +390,8 @@ pub struct Certificate {
 /// Why a proof is not complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProofLimit {
-    /// A limit of the run.
-    Limit(Limit),
+    /// It was stopped.
+    Stopped,
     /// Cells as narrow as doubles allow, or as many as allowed, prove no more.
     Resolution,
 }
@@ -399,6 +416,8 @@ pub struct CounterExample {
     pub radii: [f64; 2],
     /// Edge where it lands, and the radii; `None` where it does not land on the arm.
     pub landing: Option<(usize, [f64; 2])>,
+    /// Whether there is no next throw from there.
+    pub leaves_domain: bool,
 }
 
 /// Accelerations of the arm that keep the part from moving on it.
@@ -445,12 +464,21 @@ pub struct Design {
     pub settings: Vec<Setting>,
     /// Relative margin that the recommended setting keeps.
     pub margin: f64,
-    /// Place of the recommended one in `settings`.
-    pub best: Option<usize>,
+    /// The recommended one.
+    pub best: Option<BestSetting>,
     /// Why none is.
     pub why_none: Option<String>,
-    /// Limit reached before all settings were tried.
-    pub limit: Option<Limit>,
+}
+
+/// The setting with most parts a second that keeps the margin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BestSetting {
+    /// Its place in `settings`.
+    pub place: usize,
+    /// Radii at which the sensor tells the same edge at all settings within the margin (length).
+    pub window: [f64; 2],
+    /// Whether a certificate at this setting proves it to be a plan.
+    pub is_proved: bool,
 }
 
 /// What becomes of the part at one setting.
@@ -464,8 +492,8 @@ pub struct Setting {
     pub seconds_per_throw: f64,
     /// Edge that the sensor tells.
     pub edge: Option<usize>,
-    /// Width of the sensor's window (length).
-    pub window: f64,
+    /// The sensor's window (length).
+    pub window: Option<[f64; 2]>,
     /// Least ratio of a radius in the limit set to its least radius of a grasp.
     pub grasp_margin: f64,
     /// Least friction with which the limit set is grasped.

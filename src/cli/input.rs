@@ -4,7 +4,7 @@ use super::common::{Common, Fixtured};
 use super::{Failure, output};
 use partplan::case::{self, Case, SceneCase, Section};
 use partplan::model::{Conveyor, Fixture, Thrower};
-use partplan::report::{Ride, Subject};
+use partplan::report::{Ride, Subject, Toss};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -35,6 +35,19 @@ impl Task<Conveyor> {
             warnings: &self.case.warnings,
             end,
             max_pins,
+        }
+    }
+}
+
+impl Task<Thrower> {
+    /// What the report is about; a part is at rest on the first stable edge that it lands on, or not before it cannot leave it.
+    pub fn toss(&self, settles_first: bool) -> Toss<'_> {
+        Toss {
+            name: &self.name,
+            part: &self.case.part,
+            thrower: &self.section,
+            warnings: &self.case.warnings,
+            settles_first,
         }
     }
 }

@@ -5,12 +5,11 @@ use super::progress::Bar;
 use super::stop::{Reason, Stop};
 use super::sweep::{self, Controls};
 use super::{Failure, Outcome, input, output};
-use partplan::answer::Throw;
 use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::throwing::Settling;
 use partplan::model::Thrower;
 use partplan::planner::{self, CarryQuestion, ThrowQuestion};
-use serde_json::json;
+use partplan::report;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -88,7 +87,7 @@ enum Settle {
     First,
 }
 
-/// Plans throws; what is found when a limit is reached is still an answer.
+/// Plans throws; what is found when a limit is reached is still told.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let _ = args.no_verify;
     let task = input::thrown(&args.common)?;
@@ -103,51 +102,21 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     if let Some(note) = stop.note() {
         output::complain(&format!("undecided: {note}"));
     }
-    let outcome = match stop.reason() {
-        Some(Reason::Interrupt) => Outcome::Interrupted,
-        Some(Reason::Limit(_)) => Outcome::Undecided,
-        None => status(&found),
-    };
-    write(args, &task, &found, outcome, out)?;
-    Ok(outcome)
-}
-
-/// Writes the answer: its status and what is exact in it.
-fn write(
-    args: &Args,
-    task: &input::Task<Thrower>,
-    answer: &Throw,
-    outcome: Outcome,
-    out: &mut dyn Write,
-) -> Result<(), Failure> {
-    if args.svg.is_some() || args.html.is_some() {
-        output::complain("warning: this version draws no throws");
+    let toss = task.toss(args.settle == Settle::First);
+    if let Some(path) = &args.svg {
+        output::picture(path, &report::svg::throw(&toss, &found))?;
     }
-    let status = match outcome {
-        Outcome::Yes => "plan",
-        Outcome::No => "no-plan",
-        Outcome::Undecided | Outcome::Interrupted => "undecided",
-    };
-    let (grasp, n_sets) = (answer.grasp.r_common.1.to_f64(), answer.limit.sets.len());
-    let text = || {
-        let unit = task.case.part.unit.symbol();
-        format!("{status}: limit sets found: {n_sets}; every stable edge is grasped from {grasp} {unit} on\n")
-    };
-    let document =
-        || json!({ "schema": "plan.throw/1", "status": status, "result": { "stable_edges": answer.stable } });
-    output::answer(out, args.common.format, text, document)
-}
-
-/// How the answer ends the run.
-fn status(answer: &Throw) -> Outcome {
-    let is_read = answer.sensors.first().is_some_and(|sensor| !sensor.windows.is_empty());
-    if answer.limit.is_unique_in_reach && is_read {
-        Outcome::Yes
-    } else if answer.certificate.counterexample.is_some() {
-        Outcome::No
-    } else {
-        Outcome::Undecided
+    if let Some(path) = &args.html {
+        output::picture(path, &report::html::throw(&toss, &found))?;
     }
+    let text = || report::text::throw(&toss, &found);
+    output::answer(out, args.common.format, text, || report::json::throw(&toss, &found))?;
+    Ok(match (stop.reason(), found.status()) {
+        (Some(Reason::Interrupt), _) => Outcome::Interrupted,
+        (_, "plan") => Outcome::Yes,
+        (_, "no-plan") => Outcome::No,
+        _ => Outcome::Undecided,
+    })
 }
 
 impl Args {

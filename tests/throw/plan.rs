@@ -1,10 +1,8 @@
 //! The whole planner against the public cases.
 
-use super::expected::{self, Expected, index, number};
-use partplan::answer::{LimitSet, Throw};
+use super::expected::{self, Expected};
+use partplan::answer::Throw;
 use partplan::planner::{self, ThrowQuestion};
-use serde_json::Value;
-use std::collections::BTreeMap;
 
 fn plan(case: &Expected) -> Throw {
     planner::throw(&case.part(), &case.thrower(), &ThrowQuestion::default(), &mut |_| true).unwrap()

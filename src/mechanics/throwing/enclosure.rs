@@ -80,6 +80,12 @@ impl Enclosing {
         Self { exact, near, is_concave }
     }
 
+    /// In intervals.
+    #[must_use]
+    pub fn exact(&self) -> &Body<FloatInterval> {
+        &self.exact
+    }
+
     /// In doubles.
     #[must_use]
     pub fn near(&self) -> &Body<f64> {
@@ -195,7 +201,7 @@ impl Enclosing {
             };
             let least = (0..body.n_corners()).map(step).fold(f64::INFINITY, f64::min);
             let next = (angle + least).next_down();
-            if !(next > angle) {
+            if next <= angle || next.is_nan() {
                 return angle;
             }
             angle = next;

@@ -29,7 +29,8 @@ pub struct Moment {
 impl Body<f64> {
     /// Tells where the part is from its release on to its rest, and returns the time from one to the other (s).
     pub fn play(&self, edge: usize, radius: f64, settling: Settling, mut tell: impl FnMut(&Moment)) -> f64 {
-        let (mut first, mut landings): (Option<(Flight, Impact<f64>)>, Vec<Landing<f64>>) = (None, Vec::new());
+        let mut first = None;
+        let mut landings: Vec<Landing<f64>> = Vec::new();
         let met = |flight: &Flight, impact: &Impact<f64>| first = Some((*flight, *impact));
         self.follow(edge, radius, settling, met, |landing| landings.push(*landing));
         let Some((flight, impact)) = first else { return 0.0 };

@@ -58,7 +58,7 @@ mod tests {
         fn components_are_what_reaches_itself(
             arrows in proptest::collection::vec(proptest::collection::vec(0..9_usize, 0..3), 9)
         ) {
-            let mut reaches = vec![[false; 9]; 9];
+            let mut reaches = [[false; 9]; 9];
             for (node, to) in arrows.iter().enumerate() {
                 to.iter().for_each(|to| reaches[node][*to] = true);
             }

@@ -164,22 +164,19 @@ pub fn throw(
         return Err(ThrowError::OutOfRange);
     }
     let grasp = grasp::common(&edges, &thrower.offset).ok_or(ThrowError::OutOfRange)?;
+    let mut is_stopped = false;
+    let mut watch = |stage: ThrowStage, done: usize, of: usize| {
+        is_stopped = is_stopped || !watch(ThrowProgress { stage, done, of });
+        !is_stopped
+    };
     let reach = reach::reach(&system);
     let hybrid = hybrid::hybrid(&system, &reach.edges);
-    let limit = limit::limit_sets(&system, &reach, question.starts, &mut |done, of| {
-        watch(ThrowProgress { stage: ThrowStage::Orbits, done, of })
-    });
-    let certificate =
-        proof::certify(&system, &reach, &mut |done, of| watch(ThrowProgress { stage: ThrowStage::Proof, done, of }));
+    let orbits = &mut |done, of| watch(ThrowStage::Orbits, done, of);
+    let limit = limit::limit_sets(&system, &reach, question.starts, orbits);
+    let certificate = proof::certify(&system, &reach, &mut |done, of| watch(ThrowStage::Proof, done, of));
     let classes = classes(outline, &part.center_of_mass, &system.stable);
-    let ends = |edge: usize| system.near().ends(edge);
-    let sensors: Vec<Sensor> = limit
-        .sets
-        .iter()
-        .enumerate()
-        .map(|(number, set)| {
-            sensor::sensor(number, set, &classes, ends, &system.orbits_from(&set.starts, set.transient))
-        })
+    let sensors: Vec<Sensor> = (limit.sets.iter().enumerate())
+        .map(|(number, set)| sensor::sensor(number, set, &system, &classes, &certificate))
         .collect();
     let replay = match limit.sets.first() {
         Some(set) if question.replay => replay::replay(&system, set),
@@ -203,6 +200,7 @@ pub fn throw(
         carries,
         replay,
         design: None,
+        is_stopped,
     })
 }
 

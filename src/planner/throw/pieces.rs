@@ -75,7 +75,7 @@ const BISECTIONS: usize = 60;
 pub(super) fn image(system: &System, edge: usize, piece: &Piece, from: f64, to: f64) -> Option<Image> {
     let at = |radius: f64| inside(system, edge, piece, radius);
     let sample = |k: usize| from + (to - from) * k as f64 / SAMPLES as f64;
-    let found: Vec<(f64, f64, f64)> = (0..=SAMPLES).filter_map(|k| at(sample(k)).map(|(r, f, s)| (r, f, s))).collect();
+    let found: Vec<(f64, f64, f64)> = (0..=SAMPLES).filter_map(|k| at(sample(k))).collect();
     let mut values: Vec<(f64, f64)> = found.iter().map(|(radius, image, _)| (*radius, *image)).collect();
     for pair in found.windows(2) {
         // extremes of the image and of the gain

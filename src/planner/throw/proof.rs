@@ -7,7 +7,7 @@
 use super::graph::components;
 use super::reach::widen;
 use super::system::System;
-use crate::answer::{Certificate, Component, CounterExample, EdgeReach, Limit, ProofLimit, Reach};
+use crate::answer::{Certificate, Component, CounterExample, EdgeReach, ProofLimit, Reach};
 use crate::exact::FloatInterval;
 use crate::mechanics::throwing::{Branch, BranchEnd, Branches, Elsewhere};
 use std::collections::BTreeMap;
@@ -60,11 +60,11 @@ pub(super) fn certify(system: &System, reach: &Reach, watch: &mut dyn FnMut(usiz
             break;
         }
         if !watch(kept.len(), MOST_CELLS) {
-            certificate.limit = Some(ProofLimit::Limit(Limit::Time));
+            certificate.limit = Some(ProofLimit::Stopped);
             break;
         }
         // with one component only wide cells are cut, else all
-        let is_cut = |cell: &Cell| !is_fine && cell.width() > 0.5 * widest || is_fine;
+        let is_cut = |cell: &Cell| is_fine || cell.width() > 0.5 * widest;
         let mut next: Vec<Cell> = Vec::with_capacity(2 * kept.len());
         let mut old: Vec<Option<Cell>> = cells.into_iter().map(Some).collect();
         for place in kept {
@@ -139,7 +139,7 @@ fn invariant(
             let cell = Cell::new(system, edge, radii);
             if cell.branches.iter().all(|branch| is_inside(branch, z)) {
                 cells.push(cell);
-            } else if let Some(example) = counter_example(&cell, z) {
+            } else if let Some(example) = counter_example(system, &cell, z) {
                 certificate.counterexample = Some(example);
                 return Err(None);
             } else if cell.width() <= NARROWEST * system.part_radius || cells.len() + open.len() > MOST_CELLS {
@@ -150,7 +150,7 @@ fn invariant(
             }
         }
         if !watch(cells.len(), MOST_CELLS) {
-            return Err(Some(ProofLimit::Limit(Limit::Time)));
+            return Err(Some(ProofLimit::Stopped));
         }
     }
     if is_resolved { Ok(cells) } else { Err(Some(ProofLimit::Resolution)) }
@@ -163,20 +163,20 @@ fn is_inside(branch: &Branch, z: &BTreeMap<usize, [f64; 2]>) -> bool {
 }
 
 /// The cell, if all of it lands outside in one way.
-fn counter_example(cell: &Cell, z: &BTreeMap<usize, [f64; 2]>) -> Option<CounterExample> {
+fn counter_example(system: &System, cell: &Cell, z: &BTreeMap<usize, [f64; 2]>) -> Option<CounterExample> {
     let [Branch { end, .. }] = cell.branches[..] else { return None };
-    let landing = match end {
+    let (landing, leaves_domain) = match end {
         BranchEnd::Rest { edge, radii, .. } => {
             let [low, high] = radii.ends();
             if z.get(&edge).is_some_and(|[from, to]| high >= *from && low <= *to) {
                 return None;
             }
-            Some((edge, [low, high]))
+            (Some((edge, [low, high])), system.surely_below(edge, high))
         }
-        BranchEnd::Other(Elsewhere::OffArm) => None,
+        BranchEnd::Other(Elsewhere::OffArm) => (None, true),
         BranchEnd::Other(_) => return None,
     };
-    Some(CounterExample { edge: cell.edge, radii: cell.radii, landing })
+    Some(CounterExample { edge: cell.edge, radii: cell.radii, landing, leaves_domain })
 }
 
 /// For each cell those that its image may meet; the cells are sorted by edge and radius.

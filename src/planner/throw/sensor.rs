@@ -1,26 +1,29 @@
 //! What a one-bit sensor in the arm can tell: it is covered, or not.
 
-use super::system::State;
-use crate::answer::{LimitSet, Sensor, SensorWindow};
+use super::system::{State, System};
+use crate::answer::{Certificate, Component, LimitSet, Sensor, SensorWindow};
+use crate::exact::FloatInterval;
 use std::collections::BTreeMap;
 
-/// Finds all radii at which "covered" means one edge, or edges that look alike.
-///
-/// `ends` gives u_l and u_r of an edge; `orbits` are those that came to the set, from their starts on.
+/// Finds all radii at which "covered" means one edge of the limit set with this number, or edges that look alike, and which of
+/// them are proved.
 pub(super) fn sensor(
     number: usize,
     set: &LimitSet,
+    system: &System,
     classes: &[Vec<usize>],
-    ends: impl Fn(usize) -> [f64; 2],
-    orbits: &[Vec<State>],
+    certificate: &Certificate,
 ) -> Sensor {
+    let ends = |edge: usize| system.near().ends(edge);
+    let orbits = system.orbits_from(&set.starts, set.transient);
+    let component = certificate.components.first().filter(|_| certificate.is_invariant && certificate.is_unique);
     let footprint = |(edge, [low, high]): (&usize, &[f64; 2])| (*edge, [low + ends(*edge)[0], high + ends(*edge)[1]]);
     let footprints: BTreeMap<usize, [f64; 2]> = set.bands.iter().map(footprint).collect();
     let covers = |at: &State, sensor: f64| {
         let [left, right] = ends(at.0);
         at.1 + left <= sensor && sensor <= at.1 + right
     };
-    let window = |edges: Vec<usize>, range: [f64; 2], is_seen: &dyn Fn(&State, f64) -> bool, at: f64| {
+    let window = |edges: Vec<usize>, range, proved, is_seen: &dyn Fn(&State, f64) -> bool, at: f64| {
         let seen = set.orbit.iter().filter(|state| is_seen(state, at)).count();
         let from_start = |orbit: &Vec<State>| {
             orbit.iter().skip(set.transient).position(|state| is_seen(state, at)).map(|place| place + set.transient)
@@ -29,6 +32,7 @@ pub(super) fn sensor(
         SensorWindow {
             edges,
             range,
+            proved,
             at,
             throws_per_part: set.orbit.len() as f64 / seen as f64,
             throws_from_start: first.iter().sum::<usize>() as f64 / first.len() as f64,
@@ -39,7 +43,9 @@ pub(super) fn sensor(
     for class in classes {
         for [low, high] in alone(&footprints, class) {
             let edges = class.iter().copied().filter(|edge| footprints.contains_key(edge)).collect();
-            windows.push(window(edges, [low, high], &covers, most_often(set, [low, high], &covers)));
+            let proved = component.and_then(|component| proved(system, component, class, [low, high]));
+            let at = most_often(set, proved.unwrap_or([low, high]), &covers);
+            windows.push(window(edges, [low, high], proved, &covers, at));
         }
     }
     windows.sort_by(|a, b| (b.range[1] - b.range[0]).total_cmp(&(a.range[1] - a.range[0])));
@@ -52,9 +58,31 @@ pub(super) fn sensor(
             (top(false).max(set.bands.values().map(|band| band[0]).fold(f64::INFINITY, f64::min)), top(true));
         let edges = class.iter().copied().filter(|edge| set.bands.contains_key(edge)).collect();
         let is_seen = |state: &State, at: f64| state.1 > at;
-        (own > others).then(|| window(edges, [others, own], &is_seen, others))
+        let proved = || {
+            let (edge, radius) = certificate.beyond.filter(|_| component.is_some())?;
+            (class.contains(&edge) && radius < own).then_some([radius.max(others), own])
+        };
+        (own > others).then(|| {
+            let proved = proved();
+            window(edges, [others, own], proved, &is_seen, proved.map_or(others, |[from, _]| from))
+        })
     });
     Sensor { set: number, footprints, windows, beyond }
+}
+
+/// The widest part of a window that no other edge covers at any radius that is recurrent.
+fn proved(system: &System, component: &Component, class: &[usize], window: [f64; 2]) -> Option<[f64; 2]> {
+    let mut free = vec![window];
+    for (&edge, bands) in component.bands.iter().filter(|(edge, _)| !class.contains(edge)) {
+        let [left, right] = system.enclosed_ends(edge);
+        for [low, high] in bands {
+            let from = (FloatInterval::of_double(*low) + left).ends()[0];
+            let to = (FloatInterval::of_double(*high) + right).ends()[1];
+            let apart = |[low, high]: [f64; 2]| [[low, high.min(from.next_down())], [low.max(to.next_up()), high]];
+            free = free.into_iter().flat_map(apart).filter(|[low, high]| low < high).collect();
+        }
+    }
+    free.into_iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))
 }
 
 /// Where in a window a part is seen most often, as near its middle as may be.

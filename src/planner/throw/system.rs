@@ -58,6 +58,11 @@ impl System {
         self.map.near()
     }
 
+    /// u_l and u_r of an edge, enclosed.
+    pub(super) fn enclosed_ends(&self, edge: usize) -> [FloatInterval; 2] {
+        self.map.exact().ends(edge)
+    }
+
     /// λ = |g| / w² (length).
     pub(super) fn lambda(&self) -> f64 {
         self.near().lambda()
@@ -76,6 +81,11 @@ impl System {
     /// Least radius of a grasp on a stable edge, and that at which the part begins to reach over the pivot.
     pub(super) fn lows(&self, edge: usize) -> Option<[f64; 2]> {
         self.lows[edge].map(|low| [low.grasp.ends()[1], low.clear.ends()[1]])
+    }
+
+    /// Whether the radius is proved to be below the domain of the edge.
+    pub(super) fn surely_below(&self, edge: usize, radius: f64) -> bool {
+        self.lows[edge].is_none_or(|low| radius < low.grasp.ends()[0] || radius < low.clear.ends()[0])
     }
 
     /// A throw from the domain.

@@ -1,8 +1,9 @@
 //! Pages that play a run: one file each, without references to any other.
 
+use super::Toss;
 use super::motion::{self, Run, Shown};
 use super::phrase;
-use crate::answer::{Frame, Simulation};
+use crate::answer::{Frame, Simulation, Throw};
 use serde_json::{Value, json};
 
 const STYLE: &str = include_str!("player.css");
@@ -45,6 +46,12 @@ pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
 </html>
 "#
     )
+}
+
+/// The page of `plan throw`: plays some throws of the pattern.
+#[must_use]
+pub fn throw(toss: &Toss, _answer: &Throw) -> String {
+    toss.name.to_owned()
 }
 
 /// What the script plays.

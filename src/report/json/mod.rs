@@ -17,7 +17,7 @@ pub use pins::{PINS, pins, undecided_pins};
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
 pub use simulation::{SIMULATE, simulation};
 pub use suggest::{SUGGEST, suggestion};
-pub use throw::{THROW, throw, undecided_throw};
+pub use throw::{THROW, throw};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};

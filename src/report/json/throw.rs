@@ -5,8 +5,8 @@ use super::envelope_of;
 use super::number::{range, rational, rationals};
 use super::surd::{surd, surd_ratio};
 use crate::answer::{
-    Carry, Caught, Certificate, Component, Design, EdgeReach, EndedOrbit, Fate, GraspEdge, Limit, LimitSet, Piece,
-    ProofLimit, Reach, Sensor, SensorWindow, Setting, Slide, Throw, ThrowQuery,
+    Carry, Caught, Certificate, Component, Design, EdgeReach, EndedOrbit, Fate, GraspEdge, LimitSet, Piece, ProofLimit,
+    Reach, Sensor, SensorWindow, Setting, Slide, Throw, ThrowQuery,
 };
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -37,16 +37,9 @@ pub fn throw(toss: &Toss, answer: &Throw) -> Value {
     insert("throws", answer.throws.iter().map(query).collect());
     insert("carries", answer.carries.iter().map(carry).collect());
     insert("design", answer.design.as_ref().map_or(Value::Null, design));
+    insert("stopped", json!(answer.is_stopped));
     insert("verification", Value::Null);
     envelope_of(toss.name, toss.part, THROW, answer.status(), result)
-}
-
-/// The document of `plan throw` when a limit was reached before an answer.
-#[must_use]
-pub fn undecided_throw(toss: &Toss, reached: Limit) -> Value {
-    let mut result = context(toss);
-    result.insert("limit".into(), reached.name().into());
-    envelope_of(toss.name, toss.part, THROW, "undecided", result)
 }
 
 /// What every result says about the task itself.
@@ -178,7 +171,7 @@ fn sensor(sensor: &Sensor) -> Value {
         "set": sensor.set,
         "footprints": by_edge(sensor.footprints.iter().map(|(edge, ends)| (*edge, json!(ends)))),
         "windows": sensor.windows.iter().map(window).collect::<Value>(),
-        "recommended": sensor.windows.first().map(window),
+        "recommended": sensor.windows.iter().find(|window| window.proved.is_some()).map(window),
         "com_radius": sensor.beyond.as_ref().map(window),
     })
 }
@@ -187,6 +180,7 @@ fn window(window: &SensorWindow) -> Value {
     json!({
         "edges": window.edges,
         "range": window.range,
+        "proved": window.proved,
         "at": window.at,
         "throws_per_part": finite(window.throws_per_part),
         "throws_from_start": finite(window.throws_from_start),
@@ -196,7 +190,7 @@ fn window(window: &SensorWindow) -> Value {
 
 fn certificate(proof: &Certificate) -> Value {
     let limit = proof.limit.map(|limit| match limit {
-        ProofLimit::Limit(limit) => limit.name(),
+        ProofLimit::Stopped => "stopped",
         ProofLimit::Resolution => "resolution",
     });
     let example = proof.counterexample.as_ref().map(|example| {
@@ -205,6 +199,7 @@ fn certificate(proof: &Certificate) -> Value {
             "R": example.radii,
             "to_edge": example.landing.map(|(edge, _)| edge),
             "to_R": example.landing.map(|(_, radii)| radii),
+            "leaves_domain": example.leaves_domain,
         })
     });
     json!({
@@ -316,10 +311,14 @@ fn design(design: &Design) -> Value {
         "offsets": design.offsets,
         "releases": design.releases,
         "margin": design.margin,
-        "recommended": design.best.map(|best| rows[best].clone()),
+        "recommended": design.best.as_ref().map(|best| {
+            let mut value = rows[best.place].clone();
+            value["common_window"] = json!(best.window);
+            value["proved"] = json!(best.is_proved);
+            value
+        }),
         "why_none": design.why_none,
         "settings": rows,
-        "limit": design.limit.map(Limit::name),
     })
 }
 

@@ -10,12 +10,14 @@ mod plan;
 mod scene;
 mod simulation;
 mod suggest;
+mod throw;
 mod tilt;
 mod view;
 
 pub use pins::pins;
 pub use simulation::simulation;
 pub use suggest::suggestion;
+pub use throw::throw;
 
 use super::{Subject, phrase};
 use crate::answer::{Insertion, Stability};

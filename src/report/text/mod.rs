@@ -10,6 +10,7 @@ mod polyhedron;
 mod simulation;
 mod stable;
 mod suggest;
+mod throw;
 mod witness;
 
 pub use cone::{cones, judged_cones};
@@ -19,3 +20,4 @@ pub use polyhedron::polyhedron_notes;
 pub use simulation::simulation;
 pub use stable::stability;
 pub use suggest::suggestion;
+pub use throw::throw;
