@@ -1,6 +1,5 @@
 //! What the planner of throws returns.
 
-
 use crate::exact::{Q, Surd};
 use std::collections::BTreeMap;
 
@@ -73,7 +72,7 @@ impl Throw {
     /// The recommended window of a sensor: the widest one that is proved.
     #[must_use]
     pub fn window(&self) -> Option<&SensorWindow> {
-        self.sensors.first()?.windows.iter().find(|window| window.proved.is_some())
+        self.sensors.iter().flat_map(|sensor| &sensor.windows).find(|window| window.proved.is_some())
     }
 }
 
@@ -272,7 +271,7 @@ pub struct Slide {
 /// What orbits do in the long run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitSets {
-    /// The sets met, the one with most starts first.
+    /// The sets met, the one with most starts within the ranges of [`Reach`] first.
     pub sets: Vec<LimitSet>,
     /// Orbits that ended.
     pub ended: Vec<EndedOrbit>,

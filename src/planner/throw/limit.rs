@@ -39,7 +39,9 @@ pub(super) fn limit_sets(
         let place = match Orbit::follow(system, *start, TRANSIENT + FOLLOWED) {
             Ok(orbit) => {
                 orbits.push(orbit.throws.iter().take(DRAWN_START).map(|(at, _)| *at).collect());
-                Some(sort(system, &mut sets, orbit))
+                let place = sort(system, &mut sets, orbit);
+                sets[place].from_reach += usize::from(*is_in_reach);
+                Some(place)
             }
             Err(end) => {
                 ended.push(end);
@@ -52,7 +54,7 @@ pub(super) fn limit_sets(
     }
     let is_unique = sets.len() == 1 && ended.is_empty();
     is_unique_in_reach &= first_in_reach.is_some();
-    sets.sort_by_key(|found| std::cmp::Reverse(found.orbits.len()));
+    sets.sort_by_key(|found| std::cmp::Reverse((found.from_reach, found.orbits.len())));
     let sets = sets.iter().map(|found| found.describe(system)).collect();
     LimitSets { sets, ended, is_unique, is_unique_in_reach, orbits }
 }
@@ -76,6 +78,8 @@ fn grid(system: &System, reach: &Reach, count: usize) -> Vec<(State, bool)> {
 struct Found {
     orbits: Vec<Orbit>,
     bins: BTreeSet<(usize, i64)>,
+    /// How many of them start within the ranges.
+    from_reach: usize,
 }
 
 /// Puts an orbit to those that are alike; the place of their set.
@@ -91,7 +95,7 @@ fn sort(system: &System, sets: &mut Vec<Found>, orbit: Orbit) -> usize {
         sets[place].bins.extend(bins);
         return place;
     }
-    sets.push(Found { orbits: vec![orbit], bins });
+    sets.push(Found { orbits: vec![orbit], bins, from_reach: 0 });
     sets.len() - 1
 }
 

@@ -16,7 +16,13 @@ pub(super) fn sensor(
 ) -> Sensor {
     let ends = |edge: usize| system.near().ends(edge);
     let orbits = system.orbits_from(&set.starts, set.transient);
-    let component = certificate.components.first().filter(|_| certificate.is_invariant && certificate.is_unique);
+    let is_proved = certificate.is_invariant
+        && certificate.is_unique
+        && set
+            .bands
+            .iter()
+            .all(|(edge, [low, high])| certificate.z.get(edge).is_some_and(|[from, to]| from <= low && high <= to));
+    let component = certificate.components.first().filter(|_| is_proved);
     let footprint = |(edge, [low, high]): (&usize, &[f64; 2])| (*edge, [low + ends(*edge)[0], high + ends(*edge)[1]]);
     let footprints: BTreeMap<usize, [f64; 2]> = set.bands.iter().map(footprint).collect();
     let covers = |at: &State, sensor: f64| {
