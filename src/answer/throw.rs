@@ -501,6 +501,14 @@ pub struct Setting {
     pub is_tolerant: bool,
 }
 
+impl Setting {
+    /// Delivered parts a second.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        if self.parts_per_throw > 0.0 { self.parts_per_throw / self.seconds_per_throw } else { 0.0 }
+    }
+}
+
 impl SettingKind {
     /// Its name in results.
     #[must_use]
