@@ -58,6 +58,11 @@ impl System {
         self.map.near()
     }
 
+    /// |h + d| of an edge (length).
+    pub(super) fn over_pivot(&self, edge: usize) -> f64 {
+        (self.near().offset() + self.near().height(edge)).abs()
+    }
+
     /// u_l and u_r of an edge, enclosed.
     pub(super) fn enclosed_ends(&self, edge: usize) -> [FloatInterval; 2] {
         self.map.exact().ends(edge)

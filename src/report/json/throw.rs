@@ -302,8 +302,8 @@ fn design(design: &Design) -> Value {
             "edge": setting.edge,
             "window": setting.window,
             "grasp_margin": finite(setting.grasp_margin),
-            "friction": setting.friction,
-            "tolerant": setting.is_tolerant,
+            "friction": finite(setting.friction),
+            "parts_per_second": setting.rate(),
         })
     };
     let rows: Vec<Value> = design.settings.iter().enumerate().map(row).collect();

@@ -51,11 +51,12 @@ fn windows(report: &mut Report, answer: &Throw, unit: &str) {
             every if every == "1" => "every throw".to_owned(),
             often => format!("once in {often} throws"),
         };
-        format!(
-            "{} {unit} tells {}, {often}, {how}",
-            between(range),
-            phrase::alike(&window.edges).trim_end_matches(',')
-        )
+        let first = match window.settle_throws {
+            0 => "from the first throw on".to_owned(),
+            n => format!("after {}", phrase::count(n, "throw")),
+        };
+        let edges = phrase::alike(&window.edges);
+        format!("{} {unit} tells {}, {often}, {first}; {how}", between(range), edges.trim_end_matches(','))
     };
     let rows: Vec<String> = sensor.windows.iter().map(row).collect();
     report.list("sensor", &rows, "none: wherever it is covered, several edges may be down");
