@@ -325,7 +325,7 @@ pub struct EndedOrbit {
     pub after: usize,
     /// Where the last throw was made.
     pub at: (usize, f64),
-    /// How it ended: a landing outside of the domain, or what is no landing.
+    /// How it ended: a landing outside of the domain, one in it but too far out to be followed, or what is no landing.
     pub fate: Fate,
 }
 

@@ -135,15 +135,8 @@ pub(super) fn throw(toss: &Toss, answer: &Throw) -> String {
     let n_sets = answer.limit.sets.len();
     match (answer.status(), answer.window(), &answer.certificate.counterexample) {
         ("plan", Some(window), _) => {
-            let every = match near(window.throws_per_part, 3) {
-                once if once == "1" => "at every throw".to_owned(),
-                often => format!("once in {often} throws"),
-            };
-            format!(
-                "put the sensor at {} {unit}: when it is covered, {} is down, {every}",
-                near(window.at, 4),
-                alike(&window.edges)
-            )
+            let (at, edges, often) = (near(window.at, 4), alike(&window.edges), often(window.throws_per_part));
+            format!("put the sensor at {at} {unit}: when it is covered, {edges} is down, {often}")
         }
         ("no-plan", _, Some(example)) => {
             format!("it is proved that not all throws lead to one pattern: {}", lost(toss, answer, example))
@@ -173,6 +166,15 @@ fn lost(toss: &Toss, answer: &Throw, example: &CounterExample) -> String {
         None => "where it does not rest",
     };
     format!("{from} on edge {edge} at {} {unit}, {why}", near(radius, 6))
+}
+
+/// How often something happens, from the mean number of throws between.
+pub(super) fn often(throws: f64) -> String {
+    match near(throws, 3) {
+        _ if !throws.is_finite() => "too seldom to be met".to_owned(),
+        once if once == "1" => "at every throw".to_owned(),
+        throws => format!("once in {throws} throws"),
+    }
 }
 
 /// `edge 1`, or several that look the same.

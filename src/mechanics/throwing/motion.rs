@@ -8,6 +8,8 @@ use std::f64::consts::TAU;
 
 /// Steps of the integration, in units of 1 / w.
 const STEP: f64 = 0.01;
+/// Moments of one flight at most.
+const MOST_MOMENTS: f64 = 400.0;
 /// Steps of one swing at most; a part that stands upright takes for ever.
 const MOST_STEPS: usize = 20_000;
 /// Rocks after which a part that cannot leave its edge is taken to be at rest.
@@ -37,7 +39,7 @@ impl Body<f64> {
 
         let [along, across] = self.sides[edge].direction;
         let start = -libm::atan2(across, along);
-        let steps = (flight.angle / STEP).ceil().max(1.0);
+        let steps = (flight.angle / STEP).ceil().clamp(1.0, MOST_MOMENTS);
         for step in 0..=steps as usize {
             let angle = flight.angle * step as f64 / steps;
             let at = Instant::new(self, edge, radius, angle);

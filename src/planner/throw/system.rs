@@ -78,6 +78,11 @@ impl System {
         1.6 * self.lambda()
     }
 
+    /// Orbits that come so far are taken to run away; the part turns over some hundred times in each flight.
+    pub(super) fn far(&self) -> f64 {
+        1_000.0 * self.scan_to()
+    }
+
     /// The least double in the domain of a stable edge.
     pub(super) fn low(&self, edge: usize) -> f64 {
         self.lows[edge].map_or(f64::INFINITY, |low| low.grasp.ends()[1].max(low.clear.ends()[1].next_up()))

@@ -158,7 +158,7 @@ fn ended(orbit: &EndedOrbit) -> Value {
     let mut value = json!({ "start": orbit.start, "after": orbit.after, "at": orbit.at });
     match &orbit.fate {
         Fate::Caught(caught) => {
-            value["why"] = "leaves_domain".into();
+            value["why"] = if caught.in_domain { "runs_away" } else { "leaves_domain" }.into();
             value["to"] = json!([caught.edge, caught.radius]);
         }
         fate => value["why"] = outcome(fate).into(),

@@ -47,10 +47,7 @@ fn windows(report: &mut Report, answer: &Throw, unit: &str) {
             Some(range) => (range, "proved"),
             None => (window.range, "not proved"),
         };
-        let often = match near(window.throws_per_part, 3) {
-            every if every == "1" => "every throw".to_owned(),
-            often => format!("once in {often} throws"),
-        };
+        let often = phrase::often(window.throws_per_part);
         let first = match window.settle_throws {
             0 => "from the first throw on".to_owned(),
             n => format!("after {}", phrase::count(n, "throw")),
@@ -121,7 +118,7 @@ fn starts(report: &mut Report, answer: &Throw, unit: &str) {
                 "one after {}: edge {edge} at {} {unit} {}",
                 phrase::count(first.after, "throw"),
                 near(radius, 5),
-                fate(&first.fate, unit)
+                end(&first.fate, unit)
             ),
         );
     }
@@ -254,6 +251,16 @@ fn fate(fate: &Fate, unit: &str) -> String {
             format!("meets the line of the arm beside it, vertex {vertex} at {} {unit}", near(*x, 6))
         }
         Fate::Balanced { vertex } => format!("is caught upright on vertex {vertex}"),
+    }
+}
+
+/// How an orbit ended.
+fn end(end: &Fate, unit: &str) -> String {
+    match end {
+        Fate::Caught(caught) if caught.in_domain => {
+            format!("goes on to {} {unit}: it runs away", near(caught.radius, 4))
+        }
+        end => fate(end, unit),
     }
 }
 
