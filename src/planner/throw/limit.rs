@@ -127,7 +127,7 @@ impl Found {
         let first = &self.orbits[0].throws[length.transient..];
         LimitSet {
             period: period(first, system.part_radius),
-            lyapunov: all.iter().map(|(_, catch)| catch.slope.abs().ln()).sum::<f64>() / count,
+            lyapunov: all.iter().map(|(_, catch)| libm::log(catch.slope.abs())).sum::<f64>() / count,
             share,
             transitions: transitions.into_iter().collect(),
             jogs: self.jogs(length),
