@@ -32,7 +32,10 @@ fn a_replay_goes_from_rest_to_rest_without_jumps() {
             if b.throw > a.throw {
                 let (edge, radius) = set.orbit[b.throw];
                 let near = |found: f64, wanted: f64| (found - wanted).abs() < 1e-2 * answer.part_radius;
-                assert!(near(a.x, radius) && near(a.y, height(edge)), "{name}: {a:?} is not at {radius} on edge {edge}");
+                assert!(
+                    near(a.x, radius) && near(a.y, height(edge)),
+                    "{name}: {a:?} is not at {radius} on edge {edge}"
+                );
                 // it is thrown from where it came to rest, whole turns apart
                 let turn = (b.angle - a.angle) / std::f64::consts::TAU;
                 assert!(near(b.x, radius) && (turn - turn.round()).abs() < 1e-2, "{name}: {a:?} {b:?}");

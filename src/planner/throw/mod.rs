@@ -140,7 +140,7 @@ const DOUBT: f64 = 1e-9;
 /// Grasps are exact; flights are computed in doubles, and enclosed by outward rounding where something is proved.
 ///
 /// # Source
-/// Lynch, Northrop & Pan (2001), Stable limit sets in a dynamic parts feeder.
+/// Lynch, Northrop & Pan (2002), Stable limit sets in a dynamic parts feeder.
 ///
 /// # Errors
 /// [`ThrowError`] if the part or the question is not one that throws can be planned for.

@@ -5,6 +5,9 @@ use crate::answer::{Certificate, LimitSet, Sensor, SensorWindow};
 use crate::exact::FloatInterval;
 use std::collections::BTreeMap;
 
+/// Throws after the transient until a part is told, at most.
+const MOST_WAITED: usize = 300;
+
 /// Finds all radii at which "covered" means one edge of the limit set with this number, or edges that look alike, and which of
 /// them are proved; `z` is what parts start from.
 pub(super) fn sensor(
@@ -22,7 +25,9 @@ pub(super) fn sensor(
         certificate.components.first().filter(|_| is_inside && certificate.is_invariant && certificate.is_unique);
     let from: Vec<State> =
         set.starts.iter().copied().filter(|(edge, radius)| !is_inside || is_in_z(edge, *radius, *radius)).collect();
-    let orbits = system.orbits_from(&from, set.transient);
+    let orbits: Vec<Vec<State>> = from.iter().map(|start| system.orbit(*start, set.transient + MOST_WAITED)).collect();
+    let visited: Vec<State> =
+        set.orbit.first().map_or_else(Vec::new, |start| system.orbit(*start, set.throws / set.starts.len()));
     let starts = z.iter().map(|(edge, range)| (*edge, *range));
     let footprint = |(edge, [low, high]): (&usize, &[f64; 2])| (*edge, [low + ends(*edge)[0], high + ends(*edge)[1]]);
     let footprints: BTreeMap<usize, [f64; 2]> = set.bands.iter().map(footprint).collect();
@@ -31,7 +36,7 @@ pub(super) fn sensor(
         at.1 + left <= sensor && sensor <= at.1 + right
     };
     let window = |edges: Vec<usize>, range, proved, settle: usize, is_seen: &dyn Fn(&State, f64) -> bool, at: f64| {
-        let seen = set.orbit.iter().filter(|state| is_seen(state, at)).count();
+        let seen = visited.iter().filter(|state| is_seen(state, at)).count();
         let from_start = |orbit: &Vec<State>| {
             orbit.iter().skip(settle).position(|state| is_seen(state, at)).map(|place| place + settle)
         };
@@ -41,7 +46,7 @@ pub(super) fn sensor(
             range,
             proved,
             at,
-            throws_per_part: set.orbit.len() as f64 / seen as f64,
+            throws_per_part: visited.len() as f64 / seen as f64,
             throws_from_start: first.iter().sum::<usize>() as f64 / first.len() as f64,
             settle_throws: settle,
         }
@@ -58,7 +63,7 @@ pub(super) fn sensor(
             let place = proved.unwrap_or([low, high]);
             let at_once = free(system, starts.clone(), class, place).filter(|_| is_inside);
             let settle = if at_once.is_some() { 0 } else { set.transient };
-            let at = most_often(set, at_once.unwrap_or(place), &covers);
+            let at = most_often(&visited, at_once.unwrap_or(place), &covers);
             windows.push(window(edges, [low, high], proved, settle, &covers, at));
         }
     }
@@ -103,11 +108,11 @@ fn free(
 }
 
 /// Where in a window a part is seen most often, as near its middle as may be.
-fn most_often(set: &LimitSet, [low, high]: [f64; 2], covers: &dyn Fn(&State, f64) -> bool) -> f64 {
+fn most_often(visited: &[State], [low, high]: [f64; 2], covers: &dyn Fn(&State, f64) -> bool) -> f64 {
     const PLACES: usize = 64;
     let middle = 0.5 * (low + high);
     let place = |k: usize| low + (high - low) * (k as f64 + 0.5) / PLACES as f64;
-    let seen = |at: f64| set.orbit.iter().filter(|state| covers(state, at)).count();
+    let seen = |at: f64| visited.iter().filter(|state| covers(state, at)).count();
     // a tenth of the window stays free on both sides
     let places = (0..PLACES).map(place).filter(|at| (at - middle).abs() <= 0.4 * (high - low));
     places

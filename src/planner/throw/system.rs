@@ -152,14 +152,10 @@ impl System {
         lengths.into_iter().all(|length| (1e-100..1e100).contains(&length)) && self.part_radius < 1e8 * self.lambda()
     }
 
-    /// The states after so many throws from each start, for some hundred throws.
-    pub(super) fn orbits_from(&self, starts: &[State], transient: usize) -> Vec<Vec<State>> {
-        const THROWS: usize = 300;
-        let follow = |start: &State| {
-            let next = |at: &State| self.next(*at).map(|catch| (catch.edge, catch.radius));
-            std::iter::successors(Some(*start), next).take(transient + THROWS).collect()
-        };
-        starts.iter().map(follow).collect()
+    /// Up to so many states from a start on.
+    pub(super) fn orbit(&self, start: State, count: usize) -> Vec<State> {
+        let next = |at: &State| self.next(*at).map(|catch| (catch.edge, catch.radius));
+        std::iter::successors(Some(start), next).take(count).collect()
     }
 
     /// Mean time of throws from these states (s).
