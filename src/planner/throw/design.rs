@@ -8,7 +8,8 @@ use super::sensor::sensor;
 use super::system::System;
 use super::{Sweep, proof};
 use crate::answer::{BestSetting, Certificate, Design, LimitSet, SensorWindow, Setting, SettingKind};
-use crate::exact::{Q, Z, to_f64};
+use crate::exact::{Q, Z, from_float_exact, to_f64};
+use crate::geometry::difference;
 use crate::mechanics::throwing::Settling;
 use crate::model::Thrower;
 use num_traits::Zero as _;
@@ -42,21 +43,21 @@ pub(super) fn design(thrown: &Thrown, sweep: &Sweep, watch: &mut dyn FnMut(usize
     let (offsets, releases) = (values(&sweep.offset, sweep.grid), values(&sweep.release, sweep.grid));
     let places: Vec<usize> = (0..offsets.len() * releases.len()).collect();
     let control = |place: usize| [&offsets[place / releases.len()], &releases[place % releases.len()]];
-    let mut settings: Vec<Setting> = Vec::new();
+    let mut tried: Vec<Tried> = Vec::new();
     for some in places.chunks(AT_ONCE) {
-        if !watch(settings.len(), places.len()) {
+        if !watch(tried.len(), places.len()) {
             break;
         }
-        let tried = some.par_iter().map(|place| thrown.setting(control(*place), thrown.center_of_mass));
-        settings.extend(tried.collect::<Vec<_>>());
+        let more = some.par_iter().map(|place| thrown.tried(control(*place), thrown.center_of_mass));
+        tried.extend(more.collect::<Vec<_>>());
     }
-    let is_whole = settings.len() == places.len();
-    settings.resize(places.len(), untried());
     let margin = to_f64(&sweep.margin);
-    let (best, why_none) = match is_whole {
-        true => thrown.best(&settings, control, &sweep.margin, watch),
+    let (best, why_none) = match tried.len() == places.len() {
+        true => thrown.best(&tried, control, &sweep.margin, watch),
         false => (None, Some("the sweep was stopped".to_owned())),
     };
+    let mut settings: Vec<Setting> = tried.into_iter().map(|tried| tried.setting).collect();
+    settings.resize(places.len(), untried());
     let [offsets, releases] = [&offsets, &releases].map(|values| values.iter().map(to_f64).collect());
     Design { offsets, releases, settings, margin, best, why_none }
 }
@@ -66,6 +67,18 @@ fn values([from, to]: &[Q; 2], count: usize) -> Vec<Q> {
     let last = count.max(2) - 1;
     let share = |k: usize| Q::new(Z::from(k), Z::from(last));
     if from == to { vec![from.clone()] } else { (0..=last).map(|k| from + (to - from) * share(k)).collect() }
+}
+
+/// A setting that was tried, with all windows of the sensor by edge.
+struct Tried {
+    setting: Setting,
+    windows: Vec<(usize, [f64; 2])>,
+}
+
+impl From<Setting> for Tried {
+    fn from(setting: Setting) -> Self {
+        Self { setting, windows: Vec::new() }
+    }
 }
 
 fn untried() -> Setting {
@@ -82,10 +95,10 @@ fn untried() -> Setting {
 
 impl Thrown<'_> {
     /// What becomes of the part with this offset and release speed.
-    fn setting(&self, control: [&Q; 2], center_of_mass: &[Q; 2]) -> Setting {
+    fn tried(&self, control: [&Q; 2], center_of_mass: &[Q; 2]) -> Tried {
         let system = self.system(control, center_of_mass);
         if !system.is_in_range() || system.stable.is_empty() {
-            return Setting { kind: SettingKind::Lost, ..untried() };
+            return Setting { kind: SettingKind::Lost, ..untried() }.into();
         }
         let reach = reach(&system);
         let found = limit::limit_sets(&system, &reach, STARTS, SHORT, &mut |_, _| true);
@@ -93,19 +106,21 @@ impl Thrown<'_> {
             reach.edges.iter().map(|edge| (edge.edge, [edge.r_low, edge.r_max])).collect();
         let Some(set) = found.sets.first().filter(|_| found.is_unique_in_reach) else {
             let is_lost = found.sets.is_empty() || found.ended.iter().any(|end| is_in(&z, end.start));
-            return Setting { kind: if is_lost { SettingKind::Lost } else { SettingKind::Several }, ..untried() };
+            return Setting { kind: if is_lost { SettingKind::Lost } else { SettingKind::Several }, ..untried() }
+                .into();
         };
         let windows = sensor(0, set, &system, self.classes, &z, &Certificate::default()).windows;
-        let best = windows.into_iter().max_by(|a, b| rate(a).total_cmp(&rate(b))).filter(|best| rate(best) > 0.0);
-        Setting {
+        let best = windows.iter().max_by(|a, b| rate(a).total_cmp(&rate(b))).filter(|best| rate(best) > 0.0);
+        let setting = Setting {
             kind: if best.is_some() { SettingKind::Feeder } else { SettingKind::Blind },
-            parts_per_throw: best.as_ref().map_or(0.0, rate),
+            parts_per_throw: best.map_or(0.0, rate),
             seconds_per_throw: set.seconds_per_throw,
-            edge: best.as_ref().map(|best| best.edges[0]),
+            edge: best.map(|best| best.edges[0]),
             window: best.map(|best| best.range),
             grasp_margin: grasp_margin(&system, set),
             friction: friction(&system, set),
-        }
+        };
+        Tried { setting, windows: windows.iter().map(|window| (window.edges[0], window.range)).collect() }
     }
 
     fn system(&self, [offset, release]: [&Q; 2], center_of_mass: &[Q; 2]) -> System {
@@ -116,38 +131,53 @@ impl Thrown<'_> {
     /// The best setting that keeps the margin, one that is proved before others; else why there is none.
     fn best<'q>(
         &self,
-        settings: &[Setting],
+        tried: &[Tried],
         control: impl Fn(usize) -> [&'q Q; 2],
         margin: &Q,
         watch: &mut dyn FnMut(usize, usize) -> bool,
     ) -> (Option<BestSetting>, Option<String>) {
         let none = |why: &str| (None, Some(why.to_owned()));
-        let is_feeder = |place: &usize| settings[*place].kind == SettingKind::Feeder;
-        let feeders: Vec<usize> = (0..settings.len()).filter(is_feeder).collect();
+        let is_feeder = |place: &usize| tried[*place].setting.kind == SettingKind::Feeder;
+        let feeders: Vec<usize> = (0..tried.len()).filter(is_feeder).collect();
         if feeders.is_empty() {
             return none("at no setting all starts that were tried come to one pattern that a sensor reads");
         }
-        let is_held = |place: &usize| self.is_held(&settings[*place], to_f64(margin));
+        let is_held = |place: &usize| self.is_held(&tried[*place].setting, to_f64(margin));
         let mut held: Vec<usize> = feeders.into_iter().filter(is_held).collect();
         if held.is_empty() {
             return none("no setting that feeds keeps the margin in the radius of a grasp and in friction");
         }
-        held.sort_by(|a, b| settings[*b].rate().total_cmp(&settings[*a].rate()));
-        let (mut unproved, mut proofs) = (None, 0);
-        for (number, place) in held.iter().take(MOST_CANDIDATES).enumerate() {
-            if !watch(number, held.len().min(MOST_CANDIDATES)) {
+        held.sort_by(|a, b| tried[*b].setting.rate().total_cmp(&tried[*a].setting.rate()));
+        let controls: Vec<[f64; 2]> = (0..tried.len()).map(|place| control(place).map(to_f64)).collect();
+        let (size, share) = (to_f64(&self.size()), to_f64(margin));
+        let is_near = |place: usize, other: usize| {
+            let ([offset, release], [across, along]) = (controls[place], controls[other]);
+            (offset - across).abs() <= size * share && (release - along).abs() <= release * share
+        };
+        let (mut unproved, mut proofs, mut candidates) = (None, 0, 0);
+        for (number, &place) in held.iter().enumerate() {
+            if candidates >= MOST_CANDIDATES || !watch(number, held.len()) {
                 break;
             }
-            let Some(window) = self.common_window(control(*place), &settings[*place], margin) else { continue };
+            let about = tried.iter().enumerate().filter(|(other, _)| is_near(place, *other)).map(|(_, tried)| tried);
+            let Some(window) = self.common_window(&tried[place].setting, about) else { continue };
+            candidates += 1;
+            let others: Vec<Tried> = self
+                .about(control(place), margin)
+                .par_iter()
+                .map(|([offset, release], center)| self.tried([offset, release], center))
+                .collect();
+            let within = Setting { window: Some(window), ..tried[place].setting.clone() };
+            let Some(window) = self.common_window(&within, others.iter()) else { continue };
             if proofs < MOST_PROOFS {
                 proofs += 1;
-                let system = self.system(control(*place), self.center_of_mass);
+                let system = self.system(control(place), self.center_of_mass);
                 let proof = proof::certify(&system, &reach(&system), &mut |_, _| watch(number, held.len()));
                 if proof.is_invariant && proof.is_unique {
-                    return (Some(BestSetting { place: *place, window, is_proved: true }), None);
+                    return (Some(BestSetting { place, window, is_proved: true }), None);
                 }
             }
-            unproved = unproved.or(Some(BestSetting { place: *place, window, is_proved: false }));
+            unproved = unproved.or(Some(BestSetting { place, window, is_proved: false }));
         }
         match unproved {
             Some(best) => (Some(best), None),
@@ -161,35 +191,49 @@ impl Thrown<'_> {
         setting.grasp_margin >= 1.0 + margin && setting.friction * (1.0 + margin) <= friction
     }
 
-    /// Radii at which the sensor tells the same edge at the setting, at those about it, and with the center of mass anywhere
-    /// in its tolerance. The release speed is off by the share `margin`, the offset by that of the part radius.
-    fn common_window(&self, [offset, release]: [&Q; 2], setting: &Setting, margin: &Q) -> Option<[f64; 2]> {
-        let size = self.system([offset, release], self.center_of_mass).part_radius;
-        let size = crate::exact::from_float_exact(size)?;
-        let mut others: Vec<([Q; 2], [Q; 2])> = Vec::new();
+    /// Settings at the ends of the margin about one, and that one with the center of mass at the ends of its tolerance. The
+    /// release speed is off by the share `margin`, the offset by that of the part radius.
+    fn about(&self, [offset, release]: [&Q; 2], margin: &Q) -> Vec<([Q; 2], [Q; 2])> {
+        let mut about = Vec::new();
         let signs = [-1, 0, 1].map(|sign| Q::from(Z::from(sign)));
         for across in &signs {
             for along in &signs {
-                let controls = [offset + &size * margin * across, release + release * margin * along];
+                let controls = [offset + self.size() * margin * across, release + release * margin * along];
                 let is_other = !across.is_zero() || !along.is_zero();
                 if is_other && !margin.is_zero() {
-                    others.push((controls, self.center_of_mass.clone()));
+                    about.push((controls, self.center_of_mass.clone()));
                 }
                 if !self.tolerance.is_zero() && !across.is_zero() && !along.is_zero() {
                     let [x, y] = self.center_of_mass;
                     let moved = [x + self.tolerance * across, y + self.tolerance * along];
-                    others.push(([offset.clone(), release.clone()], moved));
+                    about.push(([offset.clone(), release.clone()], moved));
                 }
             }
         }
+        about
+    }
+
+    /// Radii at which a sensor tells the edge of a setting there and at all others.
+    fn common_window<'t>(&self, setting: &Setting, others: impl Iterator<Item = &'t Tried>) -> Option<[f64; 2]> {
         let class = |edge: usize| self.classes.iter().position(|class| class.contains(&edge));
-        let tried = others.par_iter().map(|([offset, release], center)| {
-            let other = self.setting([offset, release], center);
-            other.window.filter(|_| other.edge.and_then(class) == setting.edge.and_then(class))
-        });
-        let windows: Option<Vec<[f64; 2]>> = tried.collect();
-        let meet = |[low, high]: [f64; 2], other: [f64; 2]| [low.max(other[0]), high.min(other[1])];
-        Some(windows?.into_iter().fold(setting.window?, meet)).filter(|[low, high]| low < high)
+        let own = class(setting.edge?);
+        let mut common = setting.window?;
+        for other in others {
+            let same = other.windows.iter().filter(|(edge, _)| class(*edge) == own);
+            let shared = same.map(|(_, [low, high])| [common[0].max(*low), common[1].min(*high)]);
+            common = shared.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+        }
+        Some(common).filter(|[low, high]| low < high)
+    }
+
+    /// Part radius, to double precision.
+    fn size(&self) -> Q {
+        let distance2 = |corner: &[Q; 2]| {
+            let [x, y] = difference(self.center_of_mass, corner);
+            to_f64(&(&x * &x + &y * &y))
+        };
+        let radius = self.hull.iter().map(distance2).fold(0.0, f64::max).sqrt();
+        from_float_exact(radius).unwrap_or_else(Q::zero)
     }
 }
 
