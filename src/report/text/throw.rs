@@ -112,7 +112,7 @@ fn starts(report: &mut Report, answer: &Throw, unit: &str) {
         let count = if ended.len() == all { format!("all {all}") } else { ended.len().to_string() };
         parts.push(format!("{count} are lost"));
     }
-    report.line("starts", &parts.join("; "));
+    report.line("starts", &if all == 0 { "none were followed".to_owned() } else { parts.join("; ") });
     if let Some(first) = ended.first() {
         let (edge, radius) = first.at;
         report.line(
@@ -142,9 +142,12 @@ fn safe_starts(report: &mut Report, proof: &Certificate, unit: &str) {
     let on_edge = |(edge, ranges): (&usize, &Vec<[f64; 2]>)| {
         let mut widest: Vec<&[f64; 2]> = ranges.iter().collect();
         widest.sort_by(|a, b| (b[1] - b[0]).total_cmp(&(a[1] - a[0])));
-        let mut told: Vec<String> = widest.iter().take(MOST_RANGES).map(|range| between(**range)).collect();
-        told.extend((widest.len() > MOST_RANGES).then(|| format!("{} shorter ranges", widest.len() - MOST_RANGES)));
-        format!("edge {edge} at {} {unit}", phrase::joined(&told, "or"))
+        let told: Vec<String> = widest.iter().take(MOST_RANGES).map(|range| between(**range)).collect();
+        let more = match widest.len().saturating_sub(MOST_RANGES) {
+            0 => String::new(),
+            more => format!(", and {}", phrase::count(more, "shorter range")),
+        };
+        format!("edge {edge} at {} {unit}{more}", phrase::joined(&told, "or"))
     };
     let starts: Vec<String> = proof.starts.iter().map(on_edge).collect();
     report.list("start on", &starts, "");
