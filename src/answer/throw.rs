@@ -206,7 +206,7 @@ impl Caught {
 /// Where the map is made of what.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reach {
-    /// Radii up to here were looked at: 1.6 λ, about half a turn in flight.
+    /// Radii up to here were looked at: 1.6 λ, about half a turn in flight, or 6 λ if vertices may meet the arm at once.
     pub scan_to: f64,
     /// The stable edges.
     pub edges: Vec<EdgeReach>,

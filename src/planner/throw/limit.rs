@@ -39,19 +39,19 @@ pub(super) fn limit_sets(
     length: Length,
     watch: &mut dyn FnMut(usize, usize) -> bool,
 ) -> LimitSets {
-    let starts = grid(system, reach, starts);
+    let count = reach.edges.len().saturating_mul(starts.saturating_add(2));
     let (mut sets, mut ended, mut orbits): (Vec<Found>, Vec<_>, Vec<_>) = (Vec::new(), Vec::new(), Vec::new());
     let mut is_unique_in_reach = true;
     let mut first_in_reach = None;
-    for (number, (start, is_in_reach)) in starts.iter().enumerate() {
-        if !watch(number, starts.len()) {
+    for (number, (start, is_in_reach)) in grid(system, reach, starts).enumerate() {
+        if !watch(number, count) {
             break;
         }
-        let place = match Orbit::follow(system, *start, length.transient + length.followed) {
+        let place = match Orbit::follow(system, start, length.transient + length.followed) {
             Ok(orbit) => {
                 orbits.push(orbit.throws.iter().take(DRAWN_START).map(|(at, _)| *at).collect());
                 let place = sort(system, &mut sets, orbit, length);
-                sets[place].from_reach += usize::from(*is_in_reach);
+                sets[place].from_reach += usize::from(is_in_reach);
                 Some(place)
             }
             Err(end) => {
@@ -59,7 +59,7 @@ pub(super) fn limit_sets(
                 None
             }
         };
-        if *is_in_reach {
+        if is_in_reach {
             is_unique_in_reach &= place.is_some() && *first_in_reach.get_or_insert(place) == place;
         }
     }
@@ -71,18 +71,17 @@ pub(super) fn limit_sets(
 }
 
 /// Starts, and whether they are within the ranges.
-fn grid(system: &System, reach: &Reach, count: usize) -> Vec<(State, bool)> {
-    let mut starts = Vec::new();
-    for edge in &reach.edges {
+fn grid(system: &System, reach: &Reach, count: usize) -> impl Iterator<Item = (State, bool)> {
+    let scan = system.scan_to();
+    reach.edges.iter().flat_map(move |edge| {
         let low = edge.r_low;
         let most = edge.r_max.max(low);
         // neither on the ends, one of which is a fixed point, nor at round places
-        let place = |k: usize| low + (most - low) * (k as f64 + 0.37) / count as f64;
-        starts.extend((0..count).map(|k| ((edge.edge, place(k)), true)));
-        let scan = system.scan_to();
-        starts.extend([scan, 2.0 * scan].into_iter().filter(|far| *far > most).map(|far| ((edge.edge, far), false)));
-    }
-    starts
+        let place = move |k: usize| low + (most - low) * (k as f64 + 0.37) / count as f64;
+        let within = (0..count).map(move |k| ((edge.edge, place(k)), true));
+        let beyond = [scan, 2.0 * scan].into_iter().filter(move |far| *far > most);
+        within.chain(beyond.map(|far| ((edge.edge, far), false)))
+    })
 }
 
 /// Orbits that were found alike.

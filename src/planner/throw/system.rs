@@ -73,9 +73,10 @@ impl System {
         self.near().lambda()
     }
 
-    /// Radii up to which the map is looked at: a part that lands there has turned by about half a turn.
+    /// Radii up to which the map is looked at: a part that lands there has turned by about half a turn, or some turns if its
+    /// vertices are so far out that they may meet the arm at once.
     pub(super) fn scan_to(&self) -> f64 {
-        1.6 * self.lambda()
+        self.lambda() * if self.near().is_concave() { 1.6 } else { 6.0 }
     }
 
     /// Orbits that come so far are taken to run away; the part turns over some hundred times in each flight.
