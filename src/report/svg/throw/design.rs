@@ -98,7 +98,7 @@ fn draw_map(picture: &mut Picture, setting: &Setting, design: &Design) -> Place 
     let (top, bottom) = (picture.bottom + 16.0, picture.bottom + 16.0 + HEIGHT);
     let (left, right) = (SIDE + AXIS, PAGE - SIDE - KEY);
     let (release_ends, offset_ends) = (borders(&design.releases), borders(&design.offsets));
-    let axis = |ends: &[f64], page| Scale { values: [ends[0], ends[ends.len() - 1]], page };
+    let axis = |ends: &[f64], page| Scale { values: [ends[0], ends[ends.len() - 1]], page, least_step: 0.0 };
     let (across, up) = (axis(&release_ends, [left, right]), axis(&offset_ends, [bottom, top]));
     let rates = rates(design);
     let most = rates.iter().copied().fold(0.0, f64::max);
@@ -152,7 +152,7 @@ fn draw_curve(picture: &mut Picture, setting: &Setting, design: &Design) -> Plac
     let (left, right) = (SIDE + AXIS, PAGE - SIDE);
     let rates = rates(design);
     let ends = borders(values);
-    let across = Scale { values: [ends[0], ends[ends.len() - 1]], page: [left, right] };
+    let across = Scale { values: [ends[0], ends[ends.len() - 1]], page: [left, right], least_step: 0.0 };
     let up = Scale::covering(rates.iter().copied().chain([0.0]), [bottom - 10.0, top]);
     across.draw_across(&mut picture.canvas, bottom, top, &format!("{title} ({fixed})"));
     up.draw_up(&mut picture.canvas, left, right, RATE);

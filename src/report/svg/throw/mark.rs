@@ -1,9 +1,10 @@
 //! The looks of edges, and small marks.
 
-use super::super::canvas::{At, BLUE, Canvas, GREEN, INK, MUTED, ORANGE, PINK, Pen, RED, SKY};
+use super::super::canvas::{At, BLUE, Canvas, GREEN, INK, MUTED, ORANGE, PINK, Pen, SKY};
 use super::super::simulation::hatching;
 
-const COLOURS: [&str; 7] = [BLUE, RED, GREEN, ORANGE, PINK, SKY, INK];
+/// Green is for sensors, red for what leaves.
+const COLOURS: [&str; 6] = [BLUE, ORANGE, PINK, SKY, INK, MUTED];
 const HATCH: &str = "#c2c8ce";
 const WHITE: &str = "#ffffff";
 

@@ -22,6 +22,7 @@ const TALLEST: f64 = 150.0;
 
 /// A pose in a row.
 struct Shown {
+    /// Zero if the poses do not follow each other.
     number: usize,
     edge: usize,
     radius: f64,
@@ -63,7 +64,7 @@ fn heading(setting: &Setting, count: usize) -> Picture {
     let edges: Vec<String> = set.pattern.iter().map(ToString::to_string).collect();
     let pattern = if edges.len() > 1 { format!("flips from edges {}", edges.join(", ")) } else { String::new() };
     let fewer = if count > MOST { format!("the first {MOST} of {count} poses") } else { String::new() };
-    let about = format!("the part on the arm before each of {throws} throws, and the place where it comes back");
+    let about = format!("the part before each of {throws} throws, and after the last");
     Picture::new("One cycle", &[&about, &pattern, &fewer])
 }
 
@@ -85,10 +86,8 @@ fn of_cycle(states: &[(usize, f64)]) -> Vec<Shown> {
 }
 
 fn at_rest(setting: &Setting) -> Vec<Shown> {
-    let pose = |(number, lane): (usize, &super::Lane)| {
-        Some(Shown { number: number + 1, edge: lane.edge, radius: lane.reach?.r_low, left_out: 0 })
-    };
-    setting.lanes.iter().enumerate().filter_map(pose).collect()
+    let pose = |lane: &super::Lane| Some(Shown { number: 0, edge: lane.edge, radius: lane.reach?.r_low, left_out: 0 });
+    setting.lanes.iter().filter_map(pose).collect()
 }
 
 /// Where the poses are, in shares of the part's size.
@@ -146,10 +145,10 @@ impl Grid {
         }
         self.draw_sensor(picture, setting, shown, surface, &x, [left, right]);
         let below = picture.bottom + self.tall * (cell / COLUMNS + 1) as f64 - 12.0;
-        let name = format!("{}", shown.number);
+        let name = if shown.number > 0 { shown.number.to_string() } else { String::new() };
         picture.canvas.text(At::new(left, below), Align::Left, 12.0, INK, true, &name);
         let place = format!("edge {}, {} {}", shown.edge, decimal::near(shown.radius, 4), setting.unit());
-        let after = left + 8.0 + 7.2 * name.len() as f64;
+        let after = if name.is_empty() { left } else { left + 8.0 + 7.2 * name.len() as f64 };
         picture.canvas.text(At::new(after, below), Align::Left, 11.0, MUTED, false, &place);
         if shown.left_out > 0 {
             let word = if shown.left_out == 1 { "jog" } else { "jogs" };

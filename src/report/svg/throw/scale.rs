@@ -14,6 +14,8 @@ const RULE: &str = "#e4e7ea";
 pub(super) struct Scale {
     pub(super) values: [f64; 2],
     pub(super) page: [f64; 2],
+    /// Least step of its ticks.
+    pub(super) least_step: f64,
 }
 
 impl Scale {
@@ -22,7 +24,7 @@ impl Scale {
         let [low, high] = extent(values);
         let room = 0.04 * (high - low);
         let low = if low >= 0.0 && low < 0.4 * high { 0.0 } else { low - room };
-        Self { values: [low, high + room], page }
+        Self { values: [low, high + room], page, least_step: 0.0 }
     }
 
     pub(super) fn on(self, page: [f64; 2]) -> Self {
@@ -43,7 +45,7 @@ impl Scale {
 
     fn ticks(&self) -> Vec<f64> {
         let ([low, high], [from, to]) = (self.values, self.page);
-        let step = round_number((high - low) * TICK / (to - from).abs());
+        let step = round_number((high - low) * TICK / (to - from).abs()).max(self.least_step);
         let first = (low / step).ceil();
         let is_told = step > 0.0 && step.is_finite() && first + 1.0 > first;
         let ticks = (0..MOST_TICKS).map(|k| (first + f64::from(k)) * step).take_while(|value| *value <= high);

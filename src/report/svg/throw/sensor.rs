@@ -49,7 +49,7 @@ fn draw_window(picture: &mut Picture, setting: &Setting, window: &SensorWindow, 
     let area = |range: [f64; 2]| mark::rectangle(range.map(|end| setting.radii.at(end)), y);
     let pen = Pen::fill(GREEN, 0.1).outlined(GREEN, 1.0).dashed();
     picture.canvas.polygon(&area(window.range), pen);
-    picture.legend.add(Swatch::Throw(Mark::Area(pen)), "only these edges cover it in the limit set");
+    picture.legend.add(Swatch::Throw(Mark::Area(pen)), "covered by nothing else in the limit set");
     if let Some(proved) = window.proved {
         let pen = Pen::fill(GREEN, 0.35).outlined(GREEN, 1.4);
         picture.canvas.polygon(&area(proved), pen);
@@ -66,7 +66,9 @@ fn draw_place(picture: &mut Picture, setting: &Setting, window: &SensorWindow, [
     let edges: Vec<String> = window.edges.iter().map(ToString::to_string).collect();
     let word = if edges.len() == 1 { "edge" } else { "edges" };
     let which = phrase::joined(&edges, "or");
-    let text = format!("{} {}: {word} {which}", decimal::near(window.at, 4), setting.unit());
+    let proved = if window.proved.is_some() { "" } else { ", not proved" };
+    let text =
+        format!("sensor at {} {}: covered by {word} {which} only{proved}", decimal::near(window.at, 4), setting.unit());
     let half = 3.4 * text.chars().count() as f64;
     let middle = x.clamp(SIDE + half, PAGE - SIDE - half);
     picture.canvas.text(At::new(middle, top - 9.0), Align::Middle, 12.0, INK, true, &text);

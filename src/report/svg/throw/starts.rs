@@ -18,10 +18,11 @@ const MOST_THROWS: usize = 50;
 const MOST_LINES: usize = 6;
 const LINE: &str = "#aab2b9";
 
-/// Draws the orbits; `None` if none was followed.
+/// Draws the orbits; `None` if no throw comes back to the arm.
 pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     let limit = &setting.answer.limit;
-    if limit.orbits.is_empty() && limit.ended.is_empty() {
+    let comes_back = limit.orbits.iter().any(|orbit| orbit.len() > 1) || limit.ended.iter().any(|end| end.after > 0);
+    if !comes_back {
         return None;
     }
     let orbits = some_of(&limit.orbits, MOST);
@@ -45,13 +46,13 @@ pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     let longest =
         orbits.iter().map(|orbit| orbit.len().saturating_sub(1)).chain(ended.iter().map(|end| end.after)).max();
     let throws = longest.unwrap_or(0).clamp(1, MOST_THROWS);
-    let across = Scale { values: [-0.6, throws as f64 + 0.4], page: [SIDE + AXIS, right] };
+    let across = Scale { values: [-0.6, throws as f64 + 0.4], page: [SIDE + AXIS, right], least_step: 1.0 };
     across.draw_across(&mut picture.canvas, bottom, top, "throws");
     radii.draw_up(&mut picture.canvas, SIDE + AXIS, right, &format!("R, {}", setting.unit()));
 
     let place = |number: usize, radius: f64| At::new(across.at(number as f64), radii.at(radius));
     draw_lines(&mut picture, &orbits, &place);
-    draw_specks(&mut picture, setting, &orbits, &place);
+    draw_specks(&mut picture, setting, &orbits, &radii, &place);
     for end in ended {
         draw_end(&mut picture, setting, end, throws, &place);
     }
@@ -81,7 +82,9 @@ pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     }
     if !visited.is_empty() {
         let pen = Pen::fill(MUTED, 0.75).outlined(MUTED, 1.0);
-        picture.legend.add(Swatch::Throw(Mark::Area(pen)), "at the right: radii of each edge in the limit set");
+        let others = if limit.sets.len() > 1 { ", narrow in others" } else { "" };
+        let meaning = format!("at the right: radii of each edge in the limit set{others}");
+        picture.legend.add(Swatch::Throw(Mark::Area(pen)), &meaning);
     }
     picture.bottom = bottom + 34.0;
     Some(picture)
@@ -110,11 +113,12 @@ fn draw_specks(
     picture: &mut Picture,
     setting: &Setting,
     orbits: &[&Vec<(usize, f64)>],
+    radii: &Scale,
     place: &impl Fn(usize, f64) -> At,
 ) {
     for lane in &setting.lanes {
         let states = orbits.iter().flat_map(|orbit| orbit.iter().take(MOST_THROWS + 1).enumerate().skip(1));
-        let here = states.filter(|(_, (edge, _))| *edge == lane.edge);
+        let here = states.filter(|(_, (edge, radius))| *edge == lane.edge && radii.holds(*radius));
         let places: Vec<At> = here.map(|(number, (_, radius))| place(number, *radius)).collect();
         if !places.is_empty() {
             lane.hue.specks(&mut picture.canvas, &places);

@@ -3,6 +3,7 @@
 use super::super::canvas::{Align, At, INK, MUTED, Pen, RED};
 use super::super::label::Labels;
 use super::super::legend::Swatch;
+use super::super::view::along;
 use super::cycle::cycle;
 use super::lane::Lane;
 use super::mark::{self, Mark};
@@ -19,6 +20,8 @@ const MOST_TALL: usize = 6;
 const BAND: f64 = 8.0;
 /// So many throws are drawn as arrows.
 const MOST_ARROWS: usize = 60;
+/// Shorter cycles are drawn twice.
+const MOST_TWICE: usize = 12;
 const DOT: f64 = 2.4;
 const INVARIANT: &str = "#9aa3ab";
 
@@ -41,9 +44,13 @@ pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     let sets = setting.answer.limit.sets.len();
     let several =
         if sets > 1 { format!("{sets} patterns were met, dots and arrows are of the first") } else { String::new() };
-    let none = if sets == 0 { "no pattern was found" } else { "" };
-    let about = "the edge on the arm, and the radius R of the center of mass";
-    let mut picture = Picture::new("States", &[about, none, &several, &setting.left_out()]);
+    let none = match (sets, setting.answer.limit.ended.len()) {
+        (0, 0) => "no pattern was found".to_owned(),
+        (0, n) => format!("no pattern was found, {n} orbits end"),
+        _ => String::new(),
+    };
+    let about = "a lane for each stable edge on the arm; R is where the center of mass is along it";
+    let mut picture = Picture::new("States", &[about, &none, &several, &setting.left_out()]);
     let lanes = setting.lanes.len().max(1) as f64;
     let rows = Rows { top: picture.bottom + 4.0, tall: if setting.lanes.len() > MOST_TALL { SHORT } else { TALL } };
     let bottom = rows.top + rows.tall * lanes;
@@ -54,17 +61,18 @@ pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     setting.radii.draw_across(&mut picture.canvas, bottom, rows.top, &title);
     let mut labels =
         Labels::within([At::new(SIDE + NAMES, rows.top - 2.0), At::new(PAGE - SIDE + 6.0, bottom)]).rimmed();
+    let mut names = Vec::new();
     for number in 0..setting.lanes.len() {
         draw_bands(&mut picture, setting, &rows, number);
-        draw_ends(&mut picture, setting, &rows, number, &mut labels);
+        names.push(draw_ends(&mut picture, setting, &rows, number));
     }
     draw_arrows(&mut picture, setting, &rows);
     draw_dots(&mut picture, setting, &rows);
-    draw_ended(&mut picture, setting, &rows);
     if let Some(example) = &setting.answer.certificate.counterexample {
-        draw_counterexample(&mut picture, setting, &rows, example, &mut labels);
+        draw_counterexample(&mut picture, setting, &rows, example);
     }
-    labels.draw(&mut picture.canvas);
+    draw_ended(&mut picture, setting, &rows);
+    names.into_iter().flatten().for_each(|labels| labels.draw(&mut picture.canvas));
     picture.bottom = bottom + 34.0;
     Some(picture)
 }
@@ -145,33 +153,43 @@ fn draw_bands(picture: &mut Picture, setting: &Setting, rows: &Rows, number: usi
     }
 }
 
-/// R_flip and R_max.
-fn draw_ends(picture: &mut Picture, setting: &Setting, rows: &Rows, number: usize, labels: &mut Labels) {
-    let Some(reach) = setting.lanes[number].reach else { return };
+/// R_flip and R_max; their values are to be written over all else.
+fn draw_ends(picture: &mut Picture, setting: &Setting, rows: &Rows, number: usize) -> Option<Labels> {
+    let reach = setting.lanes[number].reach?;
     let [top, bottom] = rows.of(number);
+    let mut labels = Labels::within([At::new(SIDE + NAMES, top), At::new(PAGE - SIDE + 6.0, bottom)]).rimmed();
     let [flip_pen, max_pen] = [Pen::stroke(INK, 1.3).dashed(), Pen::stroke(INK, 1.6)];
+    let mut told: Vec<String> = Vec::new();
     let ends = [
-        (Some(reach.r_low), None, ""),
         (reach.r_flip, Some(flip_pen), "R_flip: from here on throws flip the part"),
         (Some(reach.r_max), Some(max_pen), "R_max: no throw lands beyond"),
+        (Some(reach.r_low), None, ""),
     ];
     for (radius, pen, meaning) in ends {
         let Some(radius) = radius.filter(|radius| setting.radii.holds(*radius)) else { continue };
         let x = setting.radii.at(radius);
         if let Some(pen) = pen {
-            picture.canvas.line(&[At::new(x, top + 1.0), At::new(x, bottom - 1.0)], pen);
+            let ends = [At::new(x, top + 1.0), At::new(x, bottom - 1.0)];
+            picture.canvas.line(&ends, pen);
             picture.legend.add(Swatch::Throw(Mark::Upright(pen)), meaning);
+            labels.avoid(&along(ends[0], ends[1]));
         }
-        let toward = At::new(if pen.is_none() { -1.0 } else { 1.0 }, 0.0);
-        labels.offer_near(At::new(x, top + 8.0), toward, 5.0, MUTED, decimal::near(radius, 4));
+        let text = decimal::near(radius, 4);
+        if told.contains(&text) {
+            continue;
+        }
+        let toward = At::new(if pen == Some(max_pen) { 1.0 } else { -1.0 }, 0.0);
+        labels.offer_near(At::new(x, top + 8.0), toward, 5.0, MUTED, text.clone());
+        told.push(text);
     }
+    Some(labels)
 }
 
 /// One or two cycles.
 fn draw_arrows(picture: &mut Picture, setting: &Setting, rows: &Rows) {
     let Some(set) = setting.set() else { return };
     let one = cycle(set, 1);
-    let states = if 2 * one.len() > MOST_ARROWS { one } else { cycle(set, 2) };
+    let states = if one.len() > MOST_TWICE { one } else { cycle(set, 2) };
     for pair in states[..states.len().min(MOST_ARROWS)].windows(2) {
         let [(from, start), (to, end)] = [pair[0], pair[1]];
         let (Some((here, lane)), Some((there, _))) = (setting.lane(from), setting.lane(to)) else { continue };
@@ -216,19 +234,13 @@ fn draw_ended(picture: &mut Picture, setting: &Setting, rows: &Rows) {
 }
 
 /// From which radii a throw provably leaves, and to where.
-fn draw_counterexample(
-    picture: &mut Picture,
-    setting: &Setting,
-    rows: &Rows,
-    example: &CounterExample,
-    labels: &mut Labels,
-) {
+fn draw_counterexample(picture: &mut Picture, setting: &Setting, rows: &Rows, example: &CounterExample) {
     let radii = &setting.radii;
     let bar = |ends: [f64; 2]| wide_enough(ends.map(|end| radii.at(end)));
     let Some((number, _)) = setting.lane(example.edge) else { return };
     let (line, pen) = (rows.line(number), Pen::stroke(RED, 7.0));
     let x = bar(example.radii);
-    picture.canvas.line(&x.map(|x| At::new(x, line)), pen);
+    picture.canvas.polygon(&mark::rectangle(x, [line - 9.0, line + 9.0]), Pen::fill(RED, 1.0).outlined(RED, 2.5));
     let leaves = if example.leaves_domain { "where no throw is possible" } else { "outside of the set" };
     picture.legend.add(Swatch::Line(pen), &format!("proved: throws from here end {leaves}"));
     let from = At::new((x[0] + x[1]) / 2.0, line);
@@ -243,10 +255,10 @@ fn draw_counterexample(
             }
         }
         None => {
-            let end = At::new(radii.page[0] + 8.0, rows.of(number)[0] + 14.0);
+            let end = At::new(radii.page[0] + 8.0, line);
             picture.canvas.arrow(from, end, RED, 1.8);
             let text = if example.landing.is_none() { "beside the arm" } else { "onto another edge" };
-            labels.want(end, At::new(1.0, -0.3), 6.0, RED, false, text.to_owned());
+            picture.canvas.rimmed_text(At::new(end.x + 4.0, line - 14.0), Align::Left, 11.0, RED, false, text);
         }
     }
 }
