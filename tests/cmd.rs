@@ -12,6 +12,7 @@ fn readme_shows_what_the_plans_print() {
     let examples = [
         ("cargo run --release -- insert", "insert", "pawl", "\n$ "),
         ("plan pins", "pins", "three_pins", "```"),
+        ("plan throw", "throw", "throw_triangle", "```"),
         ("plan simulate", "simulate", "peg_drop", "```"),
     ];
     for (start, command, case, end) in examples {
@@ -31,6 +32,7 @@ fn the_pictures_in_readme_are_those_drawn_today() {
     let pictures = [
         ("insert", "pawl", include_str!("../cases/pawl.svg")),
         ("pins", "three_pins", include_str!("../cases/three_pins.svg")),
+        ("throw", "throw_triangle", include_str!("../cases/throw_triangle.svg")),
         ("simulate", "peg_drop", include_str!("../cases/peg_drop.svg")),
     ];
     for (command, case, shown) in pictures {

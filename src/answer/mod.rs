@@ -25,8 +25,8 @@ pub use simulation::{
 };
 pub use suggest::{Proposal, Searched, Suggestion};
 pub use throw::{
-    Carry, Caught, Certificate, CommonGrasp, Component, CounterExample, Design, EdgeGrasp, EdgeReach, EndedOrbit, Fate,
-    GraspEdge, Hybrid, LimitSet, LimitSets, Piece, Pose, ProofLimit, Reach, Sensor, SensorWindow, Setting, SettingKind,
-    Slide, SurdRatio, Throw, ThrowQuery,
+    BestSetting, Carry, Caught, Certificate, CommonGrasp, Component, CounterExample, Design, EdgeGrasp, EdgeReach,
+    EndedOrbit, Fate, GraspEdge, Hybrid, LimitSet, LimitSets, Piece, Pose, ProofLimit, Reach, Sensor, SensorWindow,
+    Setting, SettingKind, Slide, SurdRatio, Throw, ThrowQuery,
 };
 pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

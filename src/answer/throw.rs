@@ -325,7 +325,7 @@ pub struct EndedOrbit {
     pub after: usize,
     /// Where the last throw was made.
     pub at: (usize, f64),
-    /// How it ended: a landing outside of the domain, or what is no landing.
+    /// How it ended: a landing outside of the domain, one in it but too far out to be followed, or what is no landing.
     pub fate: Fate,
 }
 
@@ -357,7 +357,8 @@ pub struct SensorWindow {
     pub throws_per_part: f64,
     /// Mean throws of a new part until it is detected, over the starts, once it had `settle_throws`.
     pub throws_from_start: f64,
-    /// Throws after which every start is in the set, so that the sensor does not lie.
+    /// Throws after which "covered" means these edges: none where it does so all over Z, else those after which every start is
+    /// in the set.
     pub settle_throws: usize,
 }
 
@@ -485,20 +486,26 @@ pub struct BestSetting {
 pub struct Setting {
     /// Type of its limit sets.
     pub kind: SettingKind,
-    /// Delivered parts a throw with the best sensor window; zero without one.
+    /// Delivered parts a throw with the sensor window that delivers most; zero without one.
     pub parts_per_throw: f64,
     /// Mean time from a throw to rest (s).
     pub seconds_per_throw: f64,
     /// Edge that the sensor tells.
     pub edge: Option<usize>,
-    /// The sensor's window (length).
+    /// That window (length).
     pub window: Option<[f64; 2]>,
     /// Least ratio of a radius in the limit set to its least radius of a grasp.
     pub grasp_margin: f64,
     /// Least friction with which the limit set is grasped.
     pub friction: f64,
-    /// Whether type and edge are the same at the corners of the tolerance of the center of mass.
-    pub is_tolerant: bool,
+}
+
+impl Setting {
+    /// Delivered parts a second.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        if self.parts_per_throw > 0.0 { self.parts_per_throw / self.seconds_per_throw } else { 0.0 }
+    }
 }
 
 impl SettingKind {

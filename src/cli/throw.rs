@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// A state is an edge of the part's hull on the arm and the place of its center of mass along the arm. Grasps are exact; what
 /// is said of repeated throws is computed in doubles, and proved by intervals where the answer says so.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: plan throw cases/thrown_pentagon.json --throw 0,20")]
+#[command(after_help = "Example: plan throw cases/throw_triangle.json --throw 0,20")]
 pub struct Args {
     #[command(flatten)]
     common: Common,

@@ -2,10 +2,10 @@
 
 use super::decimal::{self, Span, brief, near};
 use super::motion::{self, Run, Shown};
-use super::{Ride, Subject};
+use super::{Ride, Subject, Toss};
 use crate::answer::{
-    Action, Arc, ArcSet, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Simulation, Stability, Status,
-    Suggestion,
+    Action, Arc, ArcSet, CounterExample, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Simulation,
+    Stability, Status, Suggestion, Throw,
 };
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
@@ -127,6 +127,61 @@ pub(super) fn pins(ride: &Ride, answer: &Pins) -> String {
         }
         (None, None, None) => format!("undecided: whether pins turn {all} into {goal} was not found out"),
     }
+}
+
+/// The answer of `plan throw` in one line.
+pub(super) fn throw(toss: &Toss, answer: &Throw) -> String {
+    let unit = toss.part.unit.symbol();
+    let n_sets = answer.limit.sets.len();
+    match (answer.status(), answer.window(), &answer.certificate.counterexample) {
+        ("plan", Some(window), _) => {
+            let (at, edges, often) = (near(window.at, 4), alike(&window.edges), often(window.throws_per_part));
+            format!("put the sensor at {at} {unit}: when it is covered, {edges} is down, {often}")
+        }
+        ("no-plan", _, Some(example)) => {
+            format!("it is proved that not all throws lead to one pattern: {}", lost(toss, answer, example))
+        }
+        ("no-plan", ..) => "it is proved that throws lead to several patterns".to_owned(),
+        _ if answer.is_stopped => "undecided: stopped before it was proved where throws lead".to_owned(),
+        _ if answer.certificate.is_invariant && answer.certificate.is_unique => {
+            "undecided: all throws lead to one pattern, but no place of a sensor is proved to tell an edge".to_owned()
+        }
+        _ if answer.limit.is_unique_in_reach => {
+            "undecided: every throw that was tried leads to one pattern, which is not proved at this resolution"
+                .to_owned()
+        }
+        _ => format!("undecided: throws that were tried lead to {}", count(n_sets, "pattern")),
+    }
+}
+
+/// How the part is lost where the map leads out of its domain.
+fn lost(toss: &Toss, answer: &Throw, example: &CounterExample) -> String {
+    let unit = toss.part.unit.symbol();
+    let from = format!("from edge {} at {} {unit} the part lands", example.edge, near(example.radii[0], 6));
+    let Some((edge, [_, radius])) = example.landing else { return format!("{from} beside the arm") };
+    let grasp = answer.edges.iter().find(|other| other.edge == edge).and_then(|edge| edge.grasp.as_ref());
+    let why = match grasp {
+        Some(grasp) if radius < grasp.r_grasp.to_f64() => "where it slips or rolls when it is thrown again",
+        Some(_) => "where it reaches over the pivot",
+        None => "where it does not rest",
+    };
+    format!("{from} on edge {edge} at {} {unit}, {why}", near(radius, 6))
+}
+
+/// How often something happens, from the mean number of throws between.
+pub(super) fn often(throws: f64) -> String {
+    match near(throws, 3) {
+        _ if !throws.is_finite() => "too seldom to be met".to_owned(),
+        once if once == "1" => "at every throw".to_owned(),
+        throws => format!("once in {throws} throws"),
+    }
+}
+
+/// `edge 1`, or several that look the same.
+pub(super) fn alike(edges: &[usize]) -> String {
+    let names: Vec<String> = edges.iter().map(usize::to_string).collect();
+    let same = if edges.len() > 1 { ", which look the same," } else { "" };
+    format!("edge {}{same}", joined(&names, "or"))
 }
 
 /// The answer of `plan simulate` in one line.

@@ -23,14 +23,12 @@ fn the_page_holds_the_whole_run() {
     let page = page("peg drop", &(world, answer.clone()));
     let data = data(&page);
     assert_eq!(data["times"].as_array().map(Vec::len), Some(answer.frames.len()));
-    for (key, count) in [
-        ("poses", answer.frames.len()),
-        ("energy", answer.frames.len()),
-        ("touches", answer.frames.len()),
-        ("events", answer.events.len()),
-    ] {
+    for (key, count) in
+        [("poses", answer.frames.len()), ("touches", answer.frames.len()), ("events", answer.events.len())]
+    {
         assert_eq!(data[key].as_array().map(Vec::len), Some(count), "{key}");
     }
+    assert_eq!(data["graph"]["values"].as_array().map(Vec::len), Some(answer.frames.len()));
     // as written, which a reader of JSON may round
     assert!(answer.frames.iter().all(|frame| page.contains(&json!(frame.poses).to_string())));
     assert_eq!(data["bodies"][0]["pieces"][0]["polygon"][0], json!([-0.05, -0.025]));

@@ -6,3 +6,4 @@ mod expected;
 mod grasp;
 mod map;
 mod plan;
+mod replay;

@@ -78,6 +78,12 @@ impl<N: Real> Body<N> {
         self.corners.len()
     }
 
+    /// Offset h of the arm (length).
+    #[must_use]
+    pub fn offset(&self) -> N {
+        self.offset
+    }
+
     /// λ = |g| / w² (length).
     #[must_use]
     pub fn lambda(&self) -> N {

@@ -31,7 +31,7 @@ impl Load {
     /// `rate` (rad/s); `None` if none does.
     ///
     /// # Source
-    /// Lynch, Northrop & Pan (2001), section III-A.1: the wrench **w** is in the cone of **w**_1 to **w**_4. Their g is
+    /// Lynch, Northrop & Pan (2002), section III-A.1: the wrench **w** is in the cone of **w**_1 to **w**_4. Their g is
     /// negative.
     #[must_use]
     pub fn accelerations(&self, [cosine, sine]: [&Q; 2], rate: &Q) -> Option<Accelerations<Surd>> {

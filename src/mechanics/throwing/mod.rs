@@ -1,7 +1,7 @@
 //! Throwing a part with an arm and catching it there.
 //!
 //! # Source
-//! Lynch, Northrop & Pan (2001), Stable limit sets in a dynamic parts feeder.
+//! Lynch, Northrop & Pan (2002), Stable limit sets in a dynamic parts feeder.
 
 mod body;
 mod carry;

@@ -8,6 +8,8 @@ use std::f64::consts::TAU;
 
 /// Steps of the integration, in units of 1 / w.
 const STEP: f64 = 0.01;
+/// Moments of one flight at most.
+const MOST_MOMENTS: f64 = 400.0;
 /// Steps of one swing at most; a part that stands upright takes for ever.
 const MOST_STEPS: usize = 20_000;
 /// Rocks after which a part that cannot leave its edge is taken to be at rest.
@@ -37,7 +39,7 @@ impl Body<f64> {
 
         let [along, across] = self.sides[edge].direction;
         let start = -libm::atan2(across, along);
-        let steps = (flight.angle / STEP).ceil().max(1.0);
+        let steps = (flight.angle / STEP).ceil().clamp(1.0, MOST_MOMENTS);
         for step in 0..=steps as usize {
             let angle = flight.angle * step as f64 / steps;
             let at = Instant::new(self, edge, radius, angle);
@@ -85,7 +87,7 @@ impl<F: FnMut(&Moment)> Swings<'_, F> {
         let ([left, _], height) = (body.sides[vertex].ends, body.sides[vertex].height);
         let end = if is_ccw { self.exterior(vertex) } else { 0.0 };
         let pull = body.lambda / body.corners[vertex].inertia;
-        let x = |turn: f64| -left * turn.cos() - height * turn.sin();
+        let x = |turn: f64| -left * libm::cos(turn) - height * libm::sin(turn);
         let (mut turn, mut speed) = (self.pivot.turn, self.pivot.speed);
         for _ in 0..MOST_STEPS {
             // leapfrog
@@ -100,11 +102,11 @@ impl<F: FnMut(&Moment)> Swings<'_, F> {
             }
             (turn, speed) = (next, faster);
             self.time += STEP;
-            let at = [self.pivot.x + x(turn), body.offset - left * turn.sin() + height * turn.cos()];
+            let at = [self.pivot.x + x(turn), body.offset - left * libm::sin(turn) + height * libm::cos(turn)];
             (self.tell)(&Moment { time: self.time / body.rate, at, angle: flat + turn });
         }
         self.pivot.turn = end;
-        let at = [self.pivot.x + x(end), body.offset - left * end.sin() + height * end.cos()];
+        let at = [self.pivot.x + x(end), body.offset - left * libm::sin(end) + height * libm::cos(end)];
         (self.tell)(&Moment { time: self.time / body.rate, at, angle: flat + end });
     }
 
@@ -154,7 +156,7 @@ impl<F: FnMut(&Moment)> Swings<'_, F> {
     fn is_unseen(&self) -> bool {
         let Pivot { vertex, turn, speed, .. } = self.pivot;
         let (body, [left, _]) = (self.body, self.body.sides[vertex].ends);
-        let pull = body.lambda * (-left * turn.cos() - body.sides[vertex].height * turn.sin()).abs();
+        let pull = body.lambda * (-left * libm::cos(turn) - body.sides[vertex].height * libm::sin(turn)).abs();
         0.5 * body.corners[vertex].inertia * speed * speed < pull * UNSEEN
     }
 

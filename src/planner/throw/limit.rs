@@ -6,10 +6,20 @@ use crate::answer::{LimitSet, LimitSets, Reach};
 use crate::mechanics::throwing::Catch;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Throws before an orbit is taken to have settled.
-const TRANSIENT: usize = 400;
-/// Throws of each orbit after that.
-const FOLLOWED: usize = 5_000;
+/// How long orbits are followed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Length {
+    /// Throws before an orbit is taken to have settled.
+    pub(super) transient: usize,
+    /// Throws after that.
+    pub(super) followed: usize,
+    /// Throws that are timed.
+    pub(super) timed: usize,
+}
+
+/// As long as bands need to be known to some thousandths of the part radius.
+pub(super) const LONG: Length = Length { transient: 400, followed: 5_000, timed: DRAWN };
+
 /// Longest period looked for.
 const LONGEST_PERIOD: usize = 256;
 /// Bins over a part radius, by which orbits are compared.
@@ -26,6 +36,7 @@ pub(super) fn limit_sets(
     system: &System,
     reach: &Reach,
     starts: usize,
+    length: Length,
     watch: &mut dyn FnMut(usize, usize) -> bool,
 ) -> LimitSets {
     let starts = grid(system, reach, starts);
@@ -36,10 +47,10 @@ pub(super) fn limit_sets(
         if !watch(number, starts.len()) {
             break;
         }
-        let place = match Orbit::follow(system, *start, TRANSIENT + FOLLOWED) {
+        let place = match Orbit::follow(system, *start, length.transient + length.followed) {
             Ok(orbit) => {
                 orbits.push(orbit.throws.iter().take(DRAWN_START).map(|(at, _)| *at).collect());
-                let place = sort(system, &mut sets, orbit);
+                let place = sort(system, &mut sets, orbit, length);
                 sets[place].from_reach += usize::from(*is_in_reach);
                 Some(place)
             }
@@ -55,7 +66,7 @@ pub(super) fn limit_sets(
     let is_unique = sets.len() == 1 && ended.is_empty();
     is_unique_in_reach &= first_in_reach.is_some();
     sets.sort_by_key(|found| std::cmp::Reverse((found.from_reach, found.orbits.len())));
-    let sets = sets.iter().map(|found| found.describe(system)).collect();
+    let sets = sets.iter().map(|found| found.describe(system, length)).collect();
     LimitSets { sets, ended, is_unique, is_unique_in_reach, orbits }
 }
 
@@ -83,9 +94,9 @@ struct Found {
 }
 
 /// Puts an orbit to those that are alike; the place of their set.
-fn sort(system: &System, sets: &mut Vec<Found>, orbit: Orbit) -> usize {
+fn sort(system: &System, sets: &mut Vec<Found>, orbit: Orbit, length: Length) -> usize {
     let bin = |at: &State| (at.0, (at.1 / system.part_radius * BINS).floor() as i64);
-    let bins: BTreeSet<(usize, i64)> = orbit.throws[TRANSIENT..].iter().map(|(at, _)| bin(at)).collect();
+    let bins: BTreeSet<(usize, i64)> = orbit.throws[length.transient..].iter().map(|(at, _)| bin(at)).collect();
     let is_alike = |found: &Found| {
         let common = found.bins.intersection(&bins).count() as f64;
         common >= ALIKE * found.bins.len().min(bins.len()) as f64
@@ -100,8 +111,8 @@ fn sort(system: &System, sets: &mut Vec<Found>, orbit: Orbit) -> usize {
 }
 
 impl Found {
-    fn describe(&self, system: &System) -> LimitSet {
-        let settled = |orbit: &Orbit| orbit.throws[TRANSIENT..].to_vec();
+    fn describe(&self, system: &System, length: Length) -> LimitSet {
+        let settled = |orbit: &Orbit| orbit.throws[length.transient..].to_vec();
         let all: Vec<(State, Catch)> = self.orbits.iter().flat_map(settled).collect();
         let bands = bands(&all);
         let count = all.len() as f64;
@@ -110,20 +121,20 @@ impl Found {
         let main_edge = share.iter().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(edge, _)| *edge);
         let transitions: BTreeSet<[usize; 2]> = all.iter().map(|((edge, _), catch)| [*edge, catch.edge]).collect();
         let arrivals: Vec<Vec<usize>> =
-            self.orbits.iter().map(|orbit| arrivals(&orbit.throws[TRANSIENT..], main_edge)).collect();
+            self.orbits.iter().map(|orbit| arrivals(&orbit.throws[length.transient..], main_edge)).collect();
         let cycles: usize = arrivals.iter().map(|places| places.len().saturating_sub(1)).sum();
         let throws: usize = arrivals.iter().filter_map(|places| Some(places.last()? - places.first()?)).sum();
-        let first = &self.orbits[0].throws[TRANSIENT..];
+        let first = &self.orbits[0].throws[length.transient..];
         LimitSet {
             period: period(first, system.part_radius),
-            lyapunov: all.iter().map(|(_, catch)| catch.slope.abs().ln()).sum::<f64>() / count,
+            lyapunov: all.iter().map(|(_, catch)| libm::log(catch.slope.abs())).sum::<f64>() / count,
             share,
             transitions: transitions.into_iter().collect(),
-            jogs: self.jogs(),
+            jogs: self.jogs(length),
             main_edge,
             throws_per_cycle: if cycles > 0 { throws as f64 / cycles as f64 } else { f64::INFINITY },
             pattern: pattern(first, &arrivals[0]),
-            seconds_per_throw: system.mean_seconds(first.iter().map(|(at, _)| *at).take(DRAWN)),
+            seconds_per_throw: system.mean_seconds(first.iter().map(|(at, _)| *at).take(length.timed)),
             throws: all.len(),
             transient: self.orbits.iter().map(|orbit| transient(orbit, &bands, system.part_radius)).max().unwrap_or(0),
             starts: self.orbits.iter().map(|orbit| orbit.start).collect(),
@@ -133,11 +144,11 @@ impl Found {
     }
 
     /// Fewest and most jogs in a row on each edge, between flips.
-    fn jogs(&self) -> BTreeMap<usize, [usize; 2]> {
+    fn jogs(&self, length: Length) -> BTreeMap<usize, [usize; 2]> {
         let mut jogs: BTreeMap<usize, [usize; 2]> = BTreeMap::new();
         for orbit in &self.orbits {
             let mut row = None;
-            for (at, catch) in &orbit.throws[TRANSIENT..] {
+            for (at, catch) in &orbit.throws[length.transient..] {
                 if catch.steps == 0 {
                     row = row.map(|row| row + 1);
                 } else {

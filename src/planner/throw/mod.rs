@@ -1,6 +1,7 @@
 //! Throws from an arm that bring a part into one motion pattern, and the sensor that reads it.
 
 mod carry;
+mod design;
 mod graph;
 mod grasp;
 mod hybrid;
@@ -139,7 +140,7 @@ const DOUBT: f64 = 1e-9;
 /// Grasps are exact; flights are computed in doubles, and enclosed by outward rounding where something is proved.
 ///
 /// # Source
-/// Lynch, Northrop & Pan (2001), Stable limit sets in a dynamic parts feeder.
+/// Lynch, Northrop & Pan (2002), Stable limit sets in a dynamic parts feeder.
 ///
 /// # Errors
 /// [`ThrowError`] if the part or the question is not one that throws can be planned for.
@@ -172,16 +173,27 @@ pub fn throw(
     let reach = reach::reach(&system);
     let hybrid = hybrid::hybrid(&system, &reach.edges);
     let orbits = &mut |done, of| watch(ThrowStage::Orbits, done, of);
-    let limit = limit::limit_sets(&system, &reach, question.starts, orbits);
+    let limit = limit::limit_sets(&system, &reach, question.starts, limit::LONG, orbits);
     let certificate = proof::certify(&system, &reach, &mut |done, of| watch(ThrowStage::Proof, done, of));
     let classes = classes(outline, &part.center_of_mass, &system.stable);
     let sensors: Vec<Sensor> = (limit.sets.iter().enumerate())
-        .map(|(number, set)| sensor::sensor(number, set, &system, &classes, &certificate))
+        .map(|(number, set)| sensor::sensor(number, set, &system, &classes, &certificate.z, &certificate))
         .collect();
     let replay = match limit.sets.first() {
         Some(set) if question.replay => replay::replay(&system, set),
         _ => Vec::new(),
     };
+    let tried = design::Thrown {
+        hull: &hull,
+        center_of_mass: &part.center_of_mass,
+        tolerance: &part.center_of_mass_tolerance,
+        rho2: &rho2,
+        classes: &classes,
+        thrower,
+        settling: question.settling,
+    };
+    let settings = &mut |done, of| watch(ThrowStage::Sweep, done, of);
+    let design = question.sweep.as_ref().map(|sweep| design::design(&tried, sweep, settings));
     Ok(Throw {
         hull,
         stable: system.stable.clone(),
@@ -199,7 +211,7 @@ pub fn throw(
         throws: question.throws.iter().map(|(edge, radius)| query(&system, *edge, radius)).collect(),
         carries,
         replay,
-        design: None,
+        design,
         is_stopped,
     })
 }

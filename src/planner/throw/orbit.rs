@@ -22,7 +22,7 @@ impl Orbit {
         let mut at = start;
         while throws.len() < count {
             match system.throw(at) {
-                Thrown::Caught(catch) if catch.radius >= system.low(catch.edge) => {
+                Thrown::Caught(catch) if catch.radius >= system.low(catch.edge) && catch.radius <= system.far() => {
                     throws.push((at, catch));
                     at = (catch.edge, catch.radius);
                 }

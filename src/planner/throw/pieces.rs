@@ -7,6 +7,8 @@ use crate::mechanics::throwing::{Branch, BranchEnd, Elsewhere, Thrown};
 
 /// Images computed for one edge at most.
 const MOST_IMAGES: usize = 200_000;
+/// Least relative width that is cut in two; breaks are enclosed no better than that, as a rule.
+const NARROW: f64 = 1e-12;
 
 /// What throws that do alike have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,7 +17,7 @@ struct Sign {
     landing: Option<(usize, i64)>,
 }
 
-/// The pieces between two radii, by radius. What is narrower than some units in the last place is left out.
+/// The pieces between two radii, by radius. What is narrower than [`NARROW`] may be left out.
 ///
 /// # Cost
 /// Some hundred images a break.
@@ -27,7 +29,7 @@ pub(super) fn pieces(system: &System, edge: usize, from: f64, to: f64) -> Vec<Pi
         images += 1;
         let sign = sign(&system.branches(edge, FloatInterval::from_ends(from, to)));
         let middle = 0.5 * (from + to);
-        let is_narrow = to - from <= 4.0 * f64::EPSILON * to || images > MOST_IMAGES;
+        let is_narrow = to - from <= NARROW * to || images > MOST_IMAGES;
         match sign {
             Some(Sign { impact_vertex, landing }) => match pieces.last_mut() {
                 Some(last) if (last.impact_vertex, last.landing) == (impact_vertex, landing) => last.to = to,

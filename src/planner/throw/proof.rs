@@ -20,15 +20,36 @@ const LAST: f64 = 1_024.0;
 const NARROWEST: f64 = 1e-9;
 /// Cells at most.
 const MOST_CELLS: usize = 200_000;
-/// Z starts so far above the radius at which the part reaches over the pivot, in part radii: a fixed point is there.
-const ABOVE_CLEAR: f64 = 0.02;
+/// Z starts so far above the radius at which the part reaches over the pivot, in part radii: a fixed point is there. The
+/// smaller ones are for throws that land nearer.
+const ABOVE_CLEAR: [f64; 4] = [2e-2, 4e-3, 8e-4, 1.6e-4];
 /// And ends so far above the landings, in part radii.
 const ABOVE_LANDINGS: f64 = 0.004;
 
 /// Tries to prove, refining cells until one component is left or a limit is reached; `watch` is told cells and says whether
 /// to go on.
 pub(super) fn certify(system: &System, reach: &Reach, watch: &mut dyn FnMut(usize, usize) -> bool) -> Certificate {
-    let z = ranges(system, reach);
+    let mut certificate = Certificate::default();
+    for above_clear in ABOVE_CLEAR {
+        certificate = certify_from(system, reach, above_clear, watch);
+        let is_near = |example: &CounterExample| {
+            let (edge, [_, high]) = example.landing?;
+            Some(!example.leaves_domain && high < certificate.z.get(&edge)?[0])
+        };
+        if certificate.counterexample.as_ref().and_then(is_near) != Some(true) {
+            break;
+        }
+    }
+    certificate
+}
+
+fn certify_from(
+    system: &System,
+    reach: &Reach,
+    above_clear: f64,
+    watch: &mut dyn FnMut(usize, usize) -> bool,
+) -> Certificate {
+    let z = ranges(system, reach, above_clear);
     let mut certificate = Certificate { z: z.clone(), ..Certificate::default() };
     if z.is_empty() {
         certificate.limit = Some(ProofLimit::Resolution);
@@ -107,14 +128,14 @@ impl Cell {
 }
 
 /// The ranges of the paper, a little away from where they end, and wider again for throws from what was added.
-fn ranges(system: &System, reach: &Reach) -> BTreeMap<usize, [f64; 2]> {
+fn ranges(system: &System, reach: &Reach, above_clear: f64) -> BTreeMap<usize, [f64; 2]> {
     let slack = ABOVE_LANDINGS * system.part_radius;
     let mut edges = reach.edges.clone();
     edges.iter_mut().for_each(|edge| edge.r_max += slack);
     widen(system, &mut edges, reach.scan_to, slack);
     let range = |edge: &EdgeReach| {
         let [grasp, clear] = system.lows(edge.edge)?;
-        let low = grasp.max(clear + ABOVE_CLEAR * system.part_radius);
+        let low = grasp.max(clear + above_clear * system.part_radius);
         Some((edge.edge, [low, edge.r_max])).filter(|_| low < edge.r_max)
     };
     edges.iter().filter_map(range).collect()

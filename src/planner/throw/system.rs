@@ -58,6 +58,11 @@ impl System {
         self.map.near()
     }
 
+    /// |h + d| of an edge (length).
+    pub(super) fn over_pivot(&self, edge: usize) -> f64 {
+        (self.near().offset() + self.near().height(edge)).abs()
+    }
+
     /// u_l and u_r of an edge, enclosed.
     pub(super) fn enclosed_ends(&self, edge: usize) -> [FloatInterval; 2] {
         self.map.exact().ends(edge)
@@ -71,6 +76,11 @@ impl System {
     /// Radii up to which the map is looked at: a part that lands there has turned by about half a turn.
     pub(super) fn scan_to(&self) -> f64 {
         1.6 * self.lambda()
+    }
+
+    /// Orbits that come so far are taken to run away; the part turns over some hundred times in each flight.
+    pub(super) fn far(&self) -> f64 {
+        1_000.0 * self.scan_to()
     }
 
     /// The least double in the domain of a stable edge.
@@ -142,14 +152,10 @@ impl System {
         lengths.into_iter().all(|length| (1e-100..1e100).contains(&length)) && self.part_radius < 1e8 * self.lambda()
     }
 
-    /// The states after so many throws from each start, for some hundred throws.
-    pub(super) fn orbits_from(&self, starts: &[State], transient: usize) -> Vec<Vec<State>> {
-        const THROWS: usize = 300;
-        let follow = |start: &State| {
-            let next = |at: &State| self.next(*at).map(|catch| (catch.edge, catch.radius));
-            std::iter::successors(Some(*start), next).take(transient + THROWS).collect()
-        };
-        starts.iter().map(follow).collect()
+    /// Up to so many states from a start on.
+    pub(super) fn orbit(&self, start: State, count: usize) -> Vec<State> {
+        let next = |at: &State| self.next(*at).map(|catch| (catch.edge, catch.radius));
+        std::iter::successors(Some(start), next).take(count).collect()
     }
 
     /// Mean time of throws from these states (s).

@@ -1,9 +1,12 @@
-//! Pages that play a run: one file each, without references to any other.
+//! Pages that play a run or throws: one file each, without references to any other.
 
-use super::Toss;
+mod throw;
+
+pub use throw::throw;
+
 use super::motion::{self, Run, Shown};
 use super::phrase;
-use crate::answer::{Frame, Simulation, Throw};
+use crate::answer::{Frame, Simulation};
 use serde_json::{Value, json};
 
 const STYLE: &str = include_str!("player.css");
@@ -12,8 +15,13 @@ const SCRIPT: &str = include_str!("player.js");
 /// The page of `plan simulate`: plays the motion with impulses, time and energy.
 #[must_use]
 pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
-    let (name, said) = (escaped(run.name), escaped(&phrase::simulation(run, answer)));
-    let data = embedded(&data(run, answer));
+    let remark = "Arrows are contact impulses, their length by the square root. Energy is kinetic and potential.";
+    page(run.name, &phrase::simulation(run, answer), remark, &data(run, answer))
+}
+
+/// A page that plays frames; `data` is what its script reads.
+fn page(name: &str, said: &str, remark: &str, data: &Value) -> String {
+    let (name, said, remark, data) = (escaped(name), escaped(said), escaped(remark), embedded(data));
     format!(
         r#"<!doctype html>
 <html lang="en">
@@ -33,12 +41,12 @@ pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
 <button id="play" type="button">Play</button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="time">
 <label>speed <select id="speed"><option value="0.05">1/20</option><option value="0.1">1/10</option><option value="0.25">1/4</option><option value="0.5">1/2</option><option value="1" selected>1</option><option value="2">2</option></select></label>
-<label><input id="impulses" type="checkbox" checked> impulses</label>
+<label id="pushes"><input id="impulses" type="checkbox" checked> impulses</label>
 <label><input id="paths" type="checkbox" checked> paths</label>
 </div>
 <p id="now"></p>
-<canvas id="energy" aria-label="energy over time"></canvas>
-<p class="remark">Arrows are contact impulses, their length by the square root. Energy is kinetic and potential. Space starts and stops, the arrow keys step.</p>
+<canvas id="graph"></canvas>
+<p class="remark">{remark} Space starts and stops, the arrow keys step.</p>
 <script type="application/json" id="run">{data}</script>
 <script>
 {SCRIPT}</script>
@@ -46,12 +54,6 @@ pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
 </html>
 "#
     )
-}
-
-/// The page of `plan throw`: plays some throws of the pattern.
-#[must_use]
-pub fn throw(toss: &Toss, _answer: &Throw) -> String {
-    toss.name.to_owned()
 }
 
 /// What the script plays.
@@ -66,6 +68,7 @@ fn data<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Value {
         let contact = motion::contact(run, &event.contact, motion::plain);
         json!({ "time": event.time, "text": format!("{contact} {}", motion::change(event)) })
     });
+    let energies = frames.iter().map(|frame| motion::energy(run, frame)).collect::<Vec<_>>();
     json!({
         "dimension": S::DIMENSION,
         "views": views.collect::<Value>(),
@@ -73,7 +76,7 @@ fn data<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Value {
         "fixed": fixed.collect::<Value>(),
         "times": frames.iter().map(|frame| frame.time).collect::<Vec<_>>(),
         "poses": frames.iter().map(poses).collect::<Value>(),
-        "energy": frames.iter().map(|frame| motion::energy(run, frame)).collect::<Vec<_>>(),
+        "graph": { "name": "energy", "unit": "J", "values": energies },
         "touches": frames.iter().map(|frame| touches::<S>(frame)).collect::<Value>(),
         "events": events.collect::<Value>(),
     })

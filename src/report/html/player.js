@@ -247,20 +247,23 @@ function drawStage(stage, time, scale) {
   }
 }
 
-const lowest = run.energy.reduce((a, b) => Math.min(a, b), Infinity);
-const highest = run.energy.reduce((a, b) => Math.max(a, b), -Infinity);
-function drawEnergy(time) {
-  const [pen, width, height] = fit(element("energy"), 90);
+const graph = run.graph.values, unit = run.graph.unit;
+element("graph").setAttribute("aria-label", run.graph.name + " over time");
+if (!(largest > 0)) element("pushes").hidden = true;
+const lowest = graph.reduce((a, b) => Math.min(a, b), Infinity);
+const highest = graph.reduce((a, b) => Math.max(a, b), -Infinity);
+function drawGraph(time) {
+  const [pen, width, height] = fit(element("graph"), 90);
   const span = highest - lowest || 1;
   const end = times[count - 1] - times[0] || 1;
-  const at = (k) => [60 + ((width - 72) * (times[k] - times[0])) / end, 10 + (height - 22) * (1 - (run.energy[k] - lowest) / span)];
+  const at = (k) => [60 + ((width - 72) * (times[k] - times[0])) / end, 10 + (height - 22) * (1 - (graph[k] - lowest) / span)];
   pen.strokeStyle = "#0072b2"; pen.lineWidth = 1.5;
   pen.beginPath();
   for (let k = 0; k < count; k++) { const [x, y] = at(k); if (k) pen.lineTo(x, y); else pen.moveTo(x, y); }
   pen.stroke();
   pen.fillStyle = "#6b7177"; pen.font = "11px Helvetica, Arial, sans-serif"; pen.textAlign = "right";
-  pen.fillText(highest.toPrecision(3) + " J", 54, 14);
-  pen.fillText(lowest.toPrecision(3) + " J", 54, height - 8);
+  pen.fillText(`${highest.toPrecision(3)} ${unit}`, 54, 14);
+  pen.fillText(`${lowest.toPrecision(3)} ${unit}`, 54, height - 8);
   const x = 60 + ((width - 72) * (time - times[0])) / end;
   pen.strokeStyle = "#d55e00"; pen.lineWidth = 1;
   pen.beginPath(); pen.moveTo(x, 4); pen.lineTo(x, height - 4); pen.stroke();
@@ -271,11 +274,11 @@ function show() {
   if (!count) { element("now").textContent = "There are no frames to show."; return; }
   const scale = commonScale();
   stages.forEach((stage) => drawStage(stage, now, scale));
-  drawEnergy(now);
-  const change = lastUpTo(changes, now), energy = run.energy[frameAt(now)];
+  drawGraph(now);
+  const change = lastUpTo(changes, now), value = graph[frameAt(now)];
   const latest = change < 0 ? null : run.events[change];
-  element("now").textContent = `${now.toFixed(4)} s, energy ${energy.toPrecision(5)} J` +
-    (latest ? `; last change at ${latest.time.toPrecision(4)} s: ${latest.text}` : "");
+  element("now").textContent = `${now.toFixed(4)} s, ${run.graph.name} ${value.toPrecision(5)} ${unit}` +
+    (latest ? `; at ${latest.time.toPrecision(4)} s: ${latest.text}` : "");
   element("time").value = String(now);
   element("play").textContent = isPlaying ? "Pause" : "Play";
 }

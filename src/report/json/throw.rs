@@ -158,7 +158,7 @@ fn ended(orbit: &EndedOrbit) -> Value {
     let mut value = json!({ "start": orbit.start, "after": orbit.after, "at": orbit.at });
     match &orbit.fate {
         Fate::Caught(caught) => {
-            value["why"] = "leaves_domain".into();
+            value["why"] = if caught.in_domain { "runs_away" } else { "leaves_domain" }.into();
             value["to"] = json!([caught.edge, caught.radius]);
         }
         fate => value["why"] = outcome(fate).into(),
@@ -302,8 +302,8 @@ fn design(design: &Design) -> Value {
             "edge": setting.edge,
             "window": setting.window,
             "grasp_margin": finite(setting.grasp_margin),
-            "friction": setting.friction,
-            "tolerant": setting.is_tolerant,
+            "friction": finite(setting.friction),
+            "parts_per_second": setting.rate(),
         })
     };
     let rows: Vec<Value> = design.settings.iter().enumerate().map(row).collect();
