@@ -4,8 +4,8 @@ use super::super::canvas::{Align, At, BLUE, Canvas, GREEN, INK, MUTED, ORANGE, P
 use super::super::legend::Swatch;
 use super::mark::{self, Mark};
 use super::scale::Scale;
-use super::{PAGE, Picture, SIDE, Setting};
-use crate::answer::{Design, SettingKind};
+use super::{PAGE, Picture, SIDE};
+use crate::answer::{Design, Setting, SettingKind};
 use crate::exact::to_f64;
 use crate::report::decimal;
 
@@ -20,8 +20,8 @@ const KINDS: [SettingKind; 5] =
     [SettingKind::Feeder, SettingKind::Blind, SettingKind::Several, SettingKind::Lost, SettingKind::Open];
 
 /// Draws the settings; `None` if none were tried.
-pub(super) fn draw(setting: &Setting) -> Option<Picture> {
-    let design = setting.answer.design.as_ref()?;
+pub(super) fn draw(shown: &super::Setting) -> Option<Picture> {
+    let design = shown.answer.design.as_ref()?;
     let is_complete = design.settings.len() == design.offsets.len() * design.releases.len();
     if design.settings.is_empty() || !is_complete {
         return None;
@@ -31,15 +31,14 @@ pub(super) fn draw(setting: &Setting) -> Option<Picture> {
         let (release, offset) = at(design, best.place);
         let proved = if best.is_proved { "proved" } else { "not proved" };
         let (release, offset) = (decimal::near(release, 4), decimal::near(offset, 4));
-        format!("recommended: {release}\u{b0}/s with the offset {offset} {}, {proved}", setting.unit())
+        format!("recommended: {release}\u{b0}/s with the offset {offset} {}, {proved}", shown.unit())
     });
     let none = design.why_none.as_deref().filter(|_| best.is_none()).unwrap_or("");
     let mut picture = Picture::new("Settings of the arm", &[recommended.as_deref().unwrap_or(""), none]);
     let (wide, tall) = (design.releases.len(), design.offsets.len());
     let is_curve = (wide == 1) != (tall == 1);
-    let marks =
-        if is_curve { draw_curve(&mut picture, setting, design) } else { draw_map(&mut picture, setting, design) };
-    let thrower = setting.toss.thrower;
+    let marks = if is_curve { draw_curve(&mut picture, shown, design) } else { draw_map(&mut picture, shown, design) };
+    let thrower = shown.toss.thrower;
     let own = (to_f64(&thrower.release_deg_per_s), to_f64(&thrower.offset));
     if let Some(own) = marks(own) {
         mark::own(&mut picture.canvas, own);
@@ -60,13 +59,8 @@ fn at(design: &Design, place: usize) -> (f64, f64) {
 
 /// Feed rate of each setting (1/s); zero where nothing is fed.
 fn rates(design: &Design) -> Vec<f64> {
-    let rate = |setting: &crate::answer::Setting| match setting.kind {
-        SettingKind::Feeder => {
-            Some(setting.parts_per_throw / setting.seconds_per_throw).filter(|rate| rate.is_finite())
-        }
-        _ => None,
-    };
-    design.settings.iter().map(|setting| rate(setting).unwrap_or(0.0).max(0.0)).collect()
+    let is_fed = |setting: &&Setting| setting.kind == SettingKind::Feeder && setting.rate().is_finite();
+    design.settings.iter().map(|setting| Some(setting).filter(is_fed).map_or(0.0, Setting::rate).max(0.0)).collect()
 }
 
 fn meaning(kind: SettingKind) -> &'static str {
@@ -94,7 +88,7 @@ fn pen(kind: SettingKind, share: f64) -> Pen {
 /// Where a setting is on the page, if it is within the picture.
 type Place = Box<dyn Fn((f64, f64)) -> Option<At>>;
 
-fn draw_map(picture: &mut Picture, setting: &Setting, design: &Design) -> Place {
+fn draw_map(picture: &mut Picture, shown: &super::Setting, design: &Design) -> Place {
     let (top, bottom) = (picture.bottom + 16.0, picture.bottom + 16.0 + HEIGHT);
     let (left, right) = (SIDE + AXIS, PAGE - SIDE - KEY);
     let (release_ends, offset_ends) = (borders(&design.releases), borders(&design.offsets));
@@ -109,7 +103,7 @@ fn draw_map(picture: &mut Picture, setting: &Setting, design: &Design) -> Place 
         let pen = pen(tried.kind, rates[place] / most);
         picture.canvas.polygon(&mark::rectangle(x, y), pen.outlined("#ffffff", 0.5));
     }
-    axes(&mut picture.canvas, setting, &across, &up);
+    axes(&mut picture.canvas, shown, &across, &up);
     explain(picture, design);
     if most > 0.0 {
         draw_key(&mut picture.canvas, right + 26.0, [top, bottom], most);
@@ -120,9 +114,9 @@ fn draw_map(picture: &mut Picture, setting: &Setting, design: &Design) -> Place 
     })
 }
 
-fn axes(canvas: &mut Canvas, setting: &Setting, across: &Scale, up: &Scale) {
+fn axes(canvas: &mut Canvas, shown: &super::Setting, across: &Scale, up: &Scale) {
     across.draw_across(canvas, up.page[0], up.page[0], "release speed, \u{b0}/s");
-    up.draw_up(canvas, across.page[0], across.page[0], &format!("offset, {}", setting.unit()));
+    up.draw_up(canvas, across.page[0], across.page[0], &format!("offset, {}", shown.unit()));
 }
 
 fn draw_key(canvas: &mut Canvas, left: f64, [top, bottom]: [f64; 2], most: f64) {
@@ -139,14 +133,14 @@ fn draw_key(canvas: &mut Canvas, left: f64, [top, bottom]: [f64; 2], most: f64) 
 }
 
 /// The feed rate over the control that was varied.
-fn draw_curve(picture: &mut Picture, setting: &Setting, design: &Design) -> Place {
+fn draw_curve(picture: &mut Picture, shown: &super::Setting, design: &Design) -> Place {
     let is_release = design.releases.len() > 1;
     let (values, title, fixed) = if is_release {
-        let fixed = format!("offset {} {}", decimal::near(design.offsets[0], 4), setting.unit());
+        let fixed = format!("offset {} {}", decimal::near(design.offsets[0], 4), shown.unit());
         (&design.releases, "release speed, \u{b0}/s".to_owned(), fixed)
     } else {
         let fixed = format!("release speed {}\u{b0}/s", decimal::near(design.releases[0], 4));
-        (&design.offsets, format!("offset, {}", setting.unit()), fixed)
+        (&design.offsets, format!("offset, {}", shown.unit()), fixed)
     };
     let (top, bottom) = (picture.bottom + 16.0, picture.bottom + 16.0 + LOW);
     let (left, right) = (SIDE + AXIS, PAGE - SIDE);

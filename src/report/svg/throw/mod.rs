@@ -13,7 +13,7 @@ mod states;
 
 pub(super) use mark::{Mark, sample};
 
-use super::super::Toss;
+use super::super::{Toss, phrase};
 use super::canvas::{Align, At, Canvas, INK, MUTED};
 use super::legend::Legend;
 use super::scene::{shortened, wrapped};
@@ -99,7 +99,7 @@ pub fn throw(toss: &Toss, answer: &Throw) -> String {
     let lanes = lane::lanes(toss, answer, &size);
     let radii = Scale::covering(states::radii(answer, &lanes), [SIDE + NAMES, PAGE - SIDE]);
     let setting = Setting { toss, answer, lanes, radii, size };
-    let said = said(toss, answer);
+    let said = phrase::throw(toss, answer);
 
     let mut page = Canvas::new();
     page.text(At::new(SIDE, 24.0), Align::Left, 17.0, INK, true, &shortened(toss.name, 80));
@@ -121,11 +121,6 @@ pub fn throw(toss: &Toss, answer: &Throw) -> String {
         bottom = picture.legend.draw(&mut page, PAGE, bottom + picture.bottom);
     }
     page.finish(PAGE, bottom, toss.name, &said)
-}
-
-/// The answer in words.
-fn said(_toss: &Toss, answer: &Throw) -> String {
-    answer.status().to_owned()
 }
 
 fn size(answer: &Throw) -> Q {

@@ -59,8 +59,6 @@ pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     }
     let title = format!("R, {}", setting.unit());
     setting.radii.draw_across(&mut picture.canvas, bottom, rows.top, &title);
-    let mut labels =
-        Labels::within([At::new(SIDE + NAMES, rows.top - 2.0), At::new(PAGE - SIDE + 6.0, bottom)]).rimmed();
     let mut names = Vec::new();
     for number in 0..setting.lanes.len() {
         draw_bands(&mut picture, setting, &rows, number);

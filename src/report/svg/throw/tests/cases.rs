@@ -67,7 +67,6 @@ pub(in super::super) fn design(offsets: usize, releases: usize) -> Design {
         window: Some([25.0, 30.0]),
         grasp_margin: 1.2,
         friction: 0.3,
-        is_tolerant: true,
     };
     Design {
         offsets: (0..offsets).map(|k| -0.75 + 0.25 * k as f64).collect(),
