@@ -83,7 +83,7 @@ impl Picture {
         canvas.text(At::new(SIDE, 10.0), Align::Left, 14.0, INK, true, heading);
         let right_of_heading = SIDE + 20.0 + 7.8 * heading.chars().count() as f64;
         let remark = remarks.iter().filter(|remark| !remark.is_empty()).copied().collect::<Vec<_>>().join("; ");
-        let room = ((PAGE - SIDE - right_of_heading) / 5.9) as usize;
+        let room = ((PAGE - SIDE - right_of_heading) / 5.6) as usize;
         let remark = shortened(&remark, room);
         canvas.text(At::new(right_of_heading, 10.0), Align::Left, 12.0, MUTED, false, &remark);
         Self { canvas, legend: Legend::default(), bottom: 28.0 }

@@ -4,15 +4,17 @@ use super::super::canvas::{Align, At, GREEN, INK, MUTED, Pen};
 use super::super::legend::Swatch;
 use super::mark::{self, Mark};
 use super::{PAGE, Picture, SIDE, Setting};
-use crate::answer::SensorWindow;
+use crate::answer::{Sensor, SensorWindow};
 use crate::report::{decimal, phrase};
 
 const ROW: f64 = 24.0;
 const BAR: f64 = 13.0;
 
-/// Draws the footprints of the first limit set; `None` if no limit set was found.
+/// Draws the footprints of the limit set whose window is proved, else of the first; `None` if none was found.
 pub(super) fn draw(setting: &Setting) -> Option<Picture> {
-    let sensor = setting.answer.sensors.first()?;
+    let sensors = &setting.answer.sensors;
+    let is_proved = |sensor: &&Sensor| sensor.windows.iter().any(|window| window.proved.is_some());
+    let sensor = sensors.iter().find(is_proved).or_else(|| sensors.first())?;
     let rows: Vec<_> =
         setting.lanes.iter().filter_map(|lane| Some((lane, sensor.footprints.get(&lane.edge)?))).collect();
     let window = setting.answer.window().or_else(|| sensor.windows.first());

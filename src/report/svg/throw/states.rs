@@ -42,14 +42,13 @@ pub(super) fn radii<'a>(answer: &'a Throw, lanes: &'a [Lane]) -> impl Iterator<I
 /// Draws the lanes.
 pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     let sets = setting.answer.limit.sets.len();
-    let several =
-        if sets > 1 { format!("{sets} patterns were met, dots and arrows are of the first") } else { String::new() };
+    let several = if sets > 1 { format!("{sets} patterns were met, dots and arrows show one") } else { String::new() };
     let none = match (sets, setting.answer.limit.ended.len()) {
         (0, 0) => "no pattern was found".to_owned(),
         (0, n) => format!("no pattern was found, {n} orbits end"),
         _ => String::new(),
     };
-    let about = "a lane for each stable edge on the arm; R is where the center of mass is along it";
+    let about = "a lane for each stable edge, R is where the center of mass is along the arm";
     let mut picture = Picture::new("States", &[about, &none, &several, &setting.left_out()]);
     let lanes = setting.lanes.len().max(1) as f64;
     let rows = Rows { top: picture.bottom + 4.0, tall: if setting.lanes.len() > MOST_TALL { SHORT } else { TALL } };
@@ -160,7 +159,7 @@ fn draw_ends(picture: &mut Picture, setting: &Setting, rows: &Rows, number: usiz
     let mut told: Vec<String> = Vec::new();
     let ends = [
         (reach.r_flip, Some(flip_pen), "R_flip: from here on throws flip the part"),
-        (Some(reach.r_max), Some(max_pen), "R_max: no throw lands beyond"),
+        (Some(reach.r_max), Some(max_pen), "R_max: throws from up to here land no farther"),
         (Some(reach.r_low), None, ""),
     ];
     for (radius, pen, meaning) in ends {

@@ -43,6 +43,7 @@ pub(in super::super) fn triangle(scale: &Q) -> Drawn {
     let com = [ratio(4, 1) * scale, ratio(8, 3) * scale];
     let mut drawn = with_pattern("triangle", vec![point(6, 0), point(6, 8), point(0, 0)], com, orbit, per);
     drawn.answer.limit.sets[0].pattern = vec![1, 0, 2];
+    drawn.thrower.offset = ratio(-1, 2) * scale;
     drawn
 }
 
