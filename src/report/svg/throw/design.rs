@@ -3,7 +3,7 @@
 use super::super::canvas::{Align, At, BLUE, Canvas, GREEN, INK, MUTED, ORANGE, PINK, Pen};
 use super::super::legend::Swatch;
 use super::mark::{self, Mark};
-use super::scale::Scale;
+use super::scale::{Scale, clamped};
 use super::{PAGE, Picture, SIDE};
 use crate::answer::{Design, Setting, SettingKind};
 use crate::exact::to_f64;
@@ -75,7 +75,7 @@ fn meaning(kind: SettingKind) -> &'static str {
 
 /// `share` of the highest rate.
 fn pen(kind: SettingKind, share: f64) -> Pen {
-    let shade = (share.max(0.0).min(1.0) * (SHADES - 1) as f64).round() / (SHADES - 1) as f64;
+    let shade = (clamped(share) * (SHADES - 1) as f64).round() / (SHADES - 1) as f64;
     match kind {
         SettingKind::Feeder => Pen::fill(GREEN, 0.15 + 0.85 * shade),
         SettingKind::Blind => Pen::fill(BLUE, 0.55),

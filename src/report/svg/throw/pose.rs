@@ -6,7 +6,8 @@ use super::super::view::direction;
 use crate::exact::{Q, to_f64};
 use crate::geometry::difference;
 
-const COM: f64 = 4.5;
+/// Radius of the symbol of the center of mass.
+pub(super) const COM: f64 = 4.5;
 
 /// The hull with one edge on the arm, in shares of its larger side.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,9 +2,10 @@
 
 use super::super::canvas::{Align, At, Canvas, INK, MUTED, Pen};
 use super::super::legend::Swatch;
+use super::super::scene::quartered;
 use super::cycle::cycle;
 use super::mark::{self, Mark};
-use super::pose::Pose;
+use super::pose::{COM, Pose};
 use super::{PAGE, Picture, SIDE, Setting};
 use crate::exact::to_f64;
 use crate::report::decimal;
@@ -133,15 +134,14 @@ impl Grid {
         let foot = At::new(x(shown.radius / self.per), surface);
         pose.draw(&mut picture.canvas, foot, self.pixels, lane.hue.band());
         picture.legend.add(Swatch::CenterOfMass, "center of mass");
-        if let Some((other, radius)) = next.and_then(|next| Some((of(setting, next.edge)?, next.radius))) {
-            if shown.left_out == 0 {
-                let from = At::new(foot.x, foot.y - pose.com * self.pixels);
-                let to = At::new(x(radius / self.per), surface - other.com * self.pixels);
-                picture.canvas.line(&[from, to], Pen::stroke(MUTED, 1.0).dashed());
-                mark::next_place(&mut picture.canvas, to);
-                super::super::scene::quartered(&mut picture.canvas, from, 4.5);
-                picture.legend.add(Swatch::Throw(Mark::NextPlace), "where it comes to rest next");
-            }
+        let next = next.filter(|_| shown.left_out == 0).and_then(|next| Some((of(setting, next.edge)?, next.radius)));
+        if let Some((other, radius)) = next {
+            let from = At::new(foot.x, foot.y - pose.com * self.pixels);
+            let to = At::new(x(radius / self.per), surface - other.com * self.pixels);
+            picture.canvas.line(&[from, to], Pen::stroke(MUTED, 1.0).dashed());
+            mark::next_place(&mut picture.canvas, to);
+            quartered(&mut picture.canvas, from, COM);
+            picture.legend.add(Swatch::Throw(Mark::NextPlace), "where it comes to rest next");
         }
         self.draw_sensor(picture, setting, shown, surface, &x, [left, right]);
         let below = picture.bottom + self.tall * (cell / COLUMNS + 1) as f64 - 12.0;

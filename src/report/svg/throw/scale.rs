@@ -35,8 +35,7 @@ impl Scale {
     /// Where a value is; at the nearer end if it is beyond, at the first if it is no number.
     pub(super) fn at(&self, value: f64) -> f64 {
         let ([low, high], [from, to]) = (self.values, self.page);
-        let share = ((value - low) / (high - low)).max(0.0).min(1.0);
-        from + share * (to - from)
+        from + clamped((value - low) / (high - low)) * (to - from)
     }
 
     /// Whether a value is between the ends.
@@ -97,6 +96,11 @@ impl Scale {
         let top = self.page[0].min(self.page[1]);
         canvas.text(At::new(x - 30.0, top - 12.0), Align::Left, 11.0, MUTED, false, title);
     }
+}
+
+/// A share between zero and one; zero for what is no number.
+pub(super) fn clamped(share: f64) -> f64 {
+    if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) }
 }
 
 fn name(value: f64) -> String {

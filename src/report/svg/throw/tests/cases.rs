@@ -61,7 +61,7 @@ pub(in super::super) fn regular(corners: usize) -> Drawn {
 pub(in super::super) fn design(offsets: usize, releases: usize) -> Design {
     let kinds = [SettingKind::Feeder, SettingKind::Blind, SettingKind::Several, SettingKind::Lost, SettingKind::Open];
     let setting = |place: usize| Setting {
-        kind: if place % 3 == 0 { SettingKind::Feeder } else { kinds[place % 5] },
+        kind: if place.is_multiple_of(3) { SettingKind::Feeder } else { kinds[place % 5] },
         parts_per_throw: 0.1 + 0.01 * place as f64,
         seconds_per_throw: 0.4,
         edge: Some(1),
