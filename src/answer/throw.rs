@@ -48,8 +48,8 @@ pub struct Throw {
 }
 
 impl Throw {
-    /// `plan` if it is proved that all throws from the set Z of the certificate come to one pattern, and a sensor reads it;
-    /// `no-plan` if it is proved that they do not; `undecided` else.
+    /// `plan` if it is proved that all throws from the starts of the certificate come to one pattern, and a sensor reads it;
+    /// `no-plan` if there are no such starts and it is proved that throws from Z do not come to one; `undecided` else.
     #[must_use]
     pub fn status(&self) -> &'static str {
         let proof = &self.certificate;
@@ -57,11 +57,11 @@ impl Throw {
         let n_patterns = proof.components.iter().filter(|component| component.is_terminal).count();
         if self.is_stopped {
             "undecided"
-        } else if proof.is_invariant && proof.is_unique && self.window().is_some() {
+        } else if proof.is_unique && self.window().is_some() {
             "plan"
         } else if proof.counterexample.as_ref().is_some_and(|example| example.leaves_domain)
             // patterns on edges that look alike may be one for who looks at the part
-            || (n_patterns > 1 && self.classes.iter().all(is_alone))
+            || (proof.is_invariant && n_patterns > 1 && self.classes.iter().all(is_alone))
         {
             "no-plan"
         } else {
@@ -371,9 +371,11 @@ pub struct Certificate {
     pub is_invariant: bool,
     /// A part of Z that provably leaves it or the domain.
     pub counterexample: Option<CounterExample>,
-    /// Recurrent components of the graph of cells.
+    /// Radii on each edge that f maps into each other: all of Z if it is invariant, else what was found of Z or of all radii.
+    pub starts: BTreeMap<usize, Vec<[f64; 2]>>,
+    /// Recurrent components of the graph of their cells.
     pub components: Vec<Component>,
-    /// Whether there is one.
+    /// Whether there is one, so that all throws from `starts` come to one pattern.
     pub is_unique: bool,
     /// Radius s above which a part in the component, settled, rests on this edge only.
     pub beyond: Option<(usize, f64)>,

@@ -136,14 +136,15 @@ pub(super) fn throw(toss: &Toss, answer: &Throw) -> String {
     match (answer.status(), answer.window(), &answer.certificate.counterexample) {
         ("plan", Some(window), _) => {
             let (at, edges, often) = (near(window.at, 4), alike(&window.edges), often(window.throws_per_part));
-            format!("put the sensor at {at} {unit}: when it is covered, {edges} is down, {often}")
+            let not_all = if answer.certificate.is_invariant { "" } else { "; not from every start" };
+            format!("put the sensor at {at} {unit}: when it is covered, {edges} is down, {often}{not_all}")
         }
         ("no-plan", _, Some(example)) => {
             format!("it is proved that not all throws lead to one pattern: {}", lost(toss, answer, example))
         }
         ("no-plan", ..) => "it is proved that throws lead to several patterns".to_owned(),
         _ if answer.is_stopped => "undecided: stopped before it was proved where throws lead".to_owned(),
-        _ if answer.certificate.is_invariant && answer.certificate.is_unique => {
+        _ if answer.certificate.is_unique => {
             "undecided: all throws lead to one pattern, but no place of a sensor is proved to tell an edge".to_owned()
         }
         _ if answer.limit.is_unique_in_reach => {

@@ -1,9 +1,11 @@
 //! `plan throw` against the public cases, the paper and the mechanics.
 
 mod carry;
+mod design;
 mod enclosure;
 mod expected;
 mod grasp;
 mod map;
 mod plan;
 mod replay;
+mod starts;

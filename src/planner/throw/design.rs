@@ -3,7 +3,7 @@
 //! Settings are compared in doubles, by short orbits; only of the best ones the pattern is proved.
 
 use super::limit::{self, Length};
-use super::reach::reach;
+use super::reach::{ranges, reach};
 use super::sensor::sensor;
 use super::system::System;
 use super::{Sweep, proof};
@@ -102,8 +102,7 @@ impl Thrown<'_> {
         }
         let reach = reach(&system);
         let found = limit::limit_sets(&system, &reach, STARTS, SHORT, &mut |_, _| true);
-        let z: BTreeMap<usize, [f64; 2]> =
-            reach.edges.iter().map(|edge| (edge.edge, [edge.r_low, edge.r_max])).collect();
+        let z = ranges(&reach);
         let Some(set) = found.sets.first().filter(|_| found.is_unique_in_reach) else {
             let is_lost = found.sets.is_empty() || found.ended.iter().any(|end| is_in(&z, end.start));
             return Setting { kind: if is_lost { SettingKind::Lost } else { SettingKind::Several }, ..untried() }
@@ -173,7 +172,7 @@ impl Thrown<'_> {
                 proofs += 1;
                 let system = self.system(control(place), self.center_of_mass);
                 let proof = proof::certify(&system, &reach(&system), &mut |_, _| watch(number, held.len()));
-                if proof.is_invariant && proof.is_unique {
+                if proof.is_unique {
                     return (Some(BestSetting { place, window, is_proved: true }), None);
                 }
             }
@@ -256,6 +255,6 @@ fn friction(system: &System, set: &LimitSet) -> f64 {
     set.bands.iter().map(needed).fold(0.0, f64::max)
 }
 
-fn is_in(z: &BTreeMap<usize, [f64; 2]>, (edge, radius): (usize, f64)) -> bool {
-    z.get(&edge).is_some_and(|[from, to]| *from <= radius && radius <= *to)
+fn is_in(z: &BTreeMap<usize, Vec<[f64; 2]>>, (edge, radius): (usize, f64)) -> bool {
+    z.get(&edge).is_some_and(|ranges| ranges.iter().any(|[from, to]| *from <= radius && radius <= *to))
 }

@@ -11,6 +11,7 @@ mod pieces;
 mod proof;
 mod reach;
 mod replay;
+mod safe;
 mod sensor;
 mod system;
 
@@ -176,8 +177,9 @@ pub fn throw(
     let limit = limit::limit_sets(&system, &reach, question.starts, limit::LONG, orbits);
     let certificate = proof::certify(&system, &reach, &mut |done, of| watch(ThrowStage::Proof, done, of));
     let classes = classes(outline, &part.center_of_mass, &system.stable);
+    let starts = if certificate.is_unique { certificate.starts.clone() } else { reach::ranges(&reach) };
     let sensors: Vec<Sensor> = (limit.sets.iter().enumerate())
-        .map(|(number, set)| sensor::sensor(number, set, &system, &classes, &certificate.z, &certificate))
+        .map(|(number, set)| sensor::sensor(number, set, &system, &classes, &starts, &certificate))
         .collect();
     let replay = match limit.sets.first() {
         Some(set) if question.replay => replay::replay(&system, set),

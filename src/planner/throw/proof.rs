@@ -6,6 +6,7 @@
 
 use super::graph::components;
 use super::reach::widen;
+use super::safe;
 use super::system::System;
 use crate::answer::{Certificate, Component, CounterExample, EdgeReach, ProofLimit, Reach};
 use crate::exact::FloatInterval;
@@ -27,7 +28,7 @@ const ABOVE_CLEAR: [f64; 4] = [2e-2, 4e-3, 8e-4, 1.6e-4];
 const ABOVE_LANDINGS: f64 = 0.004;
 
 /// Tries to prove, refining cells until one component is left or a limit is reached; `watch` is told cells and says whether
-/// to go on.
+/// to go on. Where throws lead out of Z, the same is tried for a part of Z, or of all radii, that they do not lead out of.
 pub(super) fn certify(system: &System, reach: &Reach, watch: &mut dyn FnMut(usize, usize) -> bool) -> Certificate {
     let mut certificate = Certificate::default();
     for above_clear in ABOVE_CLEAR {
@@ -38,6 +39,26 @@ pub(super) fn certify(system: &System, reach: &Reach, watch: &mut dyn FnMut(usiz
         };
         if certificate.counterexample.as_ref().and_then(is_near) != Some(true) {
             break;
+        }
+    }
+    if certificate.is_invariant || certificate.limit == Some(ProofLimit::Stopped) {
+        return certificate;
+    }
+    let all: Vec<EdgeReach> =
+        reach.edges.iter().map(|edge| EdgeReach { r_max: reach.scan_to, ..edge.clone() }).collect();
+    for ranges in [certificate.z.clone(), domain(system, &all, ABOVE_CLEAR[1])] {
+        let Some(cells) = safe::cells(system, &ranges, &mut certificate.images, watch) else {
+            certificate.limit = Some(ProofLimit::Stopped);
+            break;
+        };
+        if cells.is_empty() {
+            continue;
+        }
+        let starts = safe::merged(&cells);
+        let mut found = Certificate { starts, ..certificate.clone() };
+        refine(system, cells, &mut found, watch);
+        if found.is_unique {
+            return found;
         }
     }
     certificate
@@ -55,14 +76,24 @@ fn certify_from(
         certificate.limit = Some(ProofLimit::Resolution);
         return certificate;
     }
-    let mut cells = match invariant(system, &z, &mut certificate, watch) {
-        Ok(cells) => cells,
-        Err(limit) => {
-            certificate.limit = limit;
-            return certificate;
+    match invariant(system, &z, &mut certificate, watch) {
+        Ok(cells) => {
+            certificate.is_invariant = true;
+            certificate.starts = z.into_iter().map(|(edge, range)| (edge, vec![range])).collect();
+            refine(system, cells, &mut certificate, watch);
         }
-    };
-    certificate.is_invariant = true;
+        Err(limit) => certificate.limit = limit,
+    }
+    certificate
+}
+
+/// Cuts cells that the map takes into each other until one recurrent component is left, or a limit is reached.
+fn refine(
+    system: &System,
+    mut cells: Vec<Cell>,
+    certificate: &mut Certificate,
+    watch: &mut dyn FnMut(usize, usize) -> bool,
+) {
     loop {
         let arrows = arrows(&cells);
         let found = components(&arrows);
@@ -74,7 +105,9 @@ fn certify_from(
         let is_fine = widest <= system.part_radius / LAST;
         certificate.is_unique = certificate.components.len() == 1;
         let is_at_end = certificate.width <= NARROWEST * system.part_radius || 2 * kept.len() > MOST_CELLS;
-        if (certificate.is_unique && is_fine) || kept.is_empty() || is_at_end {
+        // orbits that come to two of them stay apart
+        let n_terminal = certificate.components.iter().filter(|component| component.is_terminal).count();
+        if (certificate.is_unique && is_fine) || kept.is_empty() || n_terminal > 1 || is_at_end {
             if !certificate.is_unique {
                 certificate.limit = Some(ProofLimit::Resolution);
             }
@@ -100,27 +133,26 @@ fn certify_from(
         next.sort_by(|a, b| a.edge.cmp(&b.edge).then(a.radii[0].total_cmp(&b.radii[0])));
         cells = next;
     }
-    certificate.beyond = beyond(&certificate);
-    certificate
+    certificate.beyond = beyond(certificate);
 }
 
 /// Radii of one edge with all that throws from there may do.
-struct Cell {
-    edge: usize,
-    radii: [f64; 2],
-    branches: Branches,
+pub(super) struct Cell {
+    pub(super) edge: usize,
+    pub(super) radii: [f64; 2],
+    pub(super) branches: Branches,
 }
 
 impl Cell {
-    fn new(system: &System, edge: usize, radii: [f64; 2]) -> Self {
+    pub(super) fn new(system: &System, edge: usize, radii: [f64; 2]) -> Self {
         Self { edge, radii, branches: system.branches(edge, FloatInterval::from_ends(radii[0], radii[1])) }
     }
 
-    fn width(&self) -> f64 {
+    pub(super) fn width(&self) -> f64 {
         self.radii[1] - self.radii[0]
     }
 
-    fn halves(&self) -> [[f64; 2]; 2] {
+    pub(super) fn halves(&self) -> [[f64; 2]; 2] {
         let [low, high] = self.radii;
         let middle = 0.5 * (low + high);
         [[low, middle], [middle, high]]
@@ -133,6 +165,11 @@ fn ranges(system: &System, reach: &Reach, above_clear: f64) -> BTreeMap<usize, [
     let mut edges = reach.edges.clone();
     edges.iter_mut().for_each(|edge| edge.r_max += slack);
     widen(system, &mut edges, reach.scan_to, slack);
+    domain(system, &edges, above_clear)
+}
+
+/// From where throws are possible, a little away from where the part reaches over the pivot, up to `r_max`.
+fn domain(system: &System, edges: &[EdgeReach], above_clear: f64) -> BTreeMap<usize, [f64; 2]> {
     let range = |edge: &EdgeReach| {
         let [grasp, clear] = system.lows(edge.edge)?;
         let low = grasp.max(clear + above_clear * system.part_radius);

@@ -3,6 +3,7 @@
 use super::pieces::{image, pieces};
 use super::system::System;
 use crate::answer::{EdgeReach, Piece, Reach};
+use std::collections::BTreeMap;
 
 /// Times that the ranges are widened.
 const MOST_ROUNDS: usize = 200;
@@ -39,6 +40,11 @@ pub(super) fn reach(system: &System) -> Reach {
     }
     let is_stated = is_inside && problems.is_empty() && edges.iter().all(|edge| holds(system, edge));
     Reach { scan_to, edges, is_invariant: is_inside, proposition: is_stated, problems }
+}
+
+/// The ranges, in pieces of one.
+pub(super) fn ranges(reach: &Reach) -> BTreeMap<usize, Vec<[f64; 2]>> {
+    reach.edges.iter().map(|edge| (edge.edge, vec![[edge.r_low, edge.r_max]])).collect()
 }
 
 pub(super) fn is_jog(edge: usize, piece: &Piece) -> bool {

@@ -15,20 +15,19 @@ pub(super) fn sensor(
     set: &LimitSet,
     system: &System,
     classes: &[Vec<usize>],
-    z: &BTreeMap<usize, [f64; 2]>,
+    z: &BTreeMap<usize, Vec<[f64; 2]>>,
     certificate: &Certificate,
 ) -> Sensor {
     let ends = |edge: usize| system.near().ends(edge);
-    let is_in_z = |edge: &usize, low: f64, high: f64| z.get(edge).is_some_and(|[from, to]| *from <= low && high <= *to);
-    let is_inside = set.bands.iter().all(|(edge, [low, high])| is_in_z(edge, *low, *high));
-    let component =
-        certificate.components.first().filter(|_| is_inside && certificate.is_invariant && certificate.is_unique);
-    let from: Vec<State> =
-        set.starts.iter().copied().filter(|(edge, radius)| !is_inside || is_in_z(edge, *radius, *radius)).collect();
+    let is_in_z =
+        |at: &State| z.get(&at.0).is_some_and(|ranges| ranges.iter().any(|[from, to]| *from <= at.1 && at.1 <= *to));
+    let is_inside = set.orbit.iter().all(is_in_z);
+    let component = certificate.components.first().filter(|_| is_inside && certificate.is_unique);
+    let from: Vec<State> = set.starts.iter().copied().filter(|at| !is_inside || is_in_z(at)).collect();
     let orbits: Vec<Vec<State>> = from.iter().map(|start| system.orbit(*start, set.transient + MOST_WAITED)).collect();
     let visited: Vec<State> =
         set.orbit.first().map_or_else(Vec::new, |start| system.orbit(*start, set.throws / set.starts.len()));
-    let starts = z.iter().map(|(edge, range)| (*edge, *range));
+    let starts = z.iter().flat_map(|(edge, ranges)| ranges.iter().map(|range| (*edge, *range)));
     let footprint = |(edge, [low, high]): (&usize, &[f64; 2])| (*edge, [low + ends(*edge)[0], high + ends(*edge)[1]]);
     let footprints: BTreeMap<usize, [f64; 2]> = set.bands.iter().map(footprint).collect();
     let covers = |at: &State, sensor: f64| {

@@ -170,16 +170,19 @@ fn sensor(sensor: &Sensor) -> Value {
     json!({
         "set": sensor.set,
         "footprints": by_edge(sensor.footprints.iter().map(|(edge, ends)| (*edge, json!(ends)))),
-        "windows": sensor.windows.iter().map(window).collect::<Value>(),
-        "recommended": sensor.windows.iter().find(|window| window.proved.is_some()).map(window),
-        "com_radius": sensor.beyond.as_ref().map(window),
+        "windows": sensor.windows.iter().map(|found| window(found, "sensor_at")).collect::<Value>(),
+        "recommended": sensor.windows.iter().find(|window| window.proved.is_some()).map(|found| window(found, "sensor_at")),
+        "footprint": sensor.windows.iter().max_by(|a, b| a.range[1].total_cmp(&b.range[1])).map(|found| window(found, "sensor_at")),
+        "com_radius": sensor.beyond.as_ref().map(|beyond| window(beyond, "R_over")),
     })
 }
 
-fn window(window: &SensorWindow) -> Value {
+/// The range under the key `name`.
+fn window(window: &SensorWindow, name: &str) -> Value {
     json!({
+        "edge": window.edges.first(),
         "edges": window.edges,
-        "range": window.range,
+        name: window.range,
         "proved": window.proved,
         "at": window.at,
         "throws_per_part": finite(window.throws_per_part),
@@ -206,7 +209,9 @@ fn certificate(proof: &Certificate) -> Value {
         "Z": by_edge(proof.z.iter().map(|(edge, range)| (*edge, json!(range)))),
         "invariant": proof.is_invariant,
         "counterexample": example,
-        "unique": proof.is_unique,
+        "unique": proof.is_invariant && proof.is_unique,
+        "starts": by_edge(proof.starts.iter().map(|(edge, ranges)| (*edge, json!(ranges)))),
+        "unique_from_starts": proof.is_unique,
         "components": proof.components.iter().map(component).collect::<Value>(),
         "beyond": proof.beyond.map(|(edge, radius)| json!({ "edge": edge, "R_over": radius })),
         "cells": proof.cells,

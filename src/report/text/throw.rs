@@ -13,6 +13,8 @@ use crate::exact::{Algebraic, from_float_exact, to_f64};
 const MOST_EDGES: usize = 10;
 /// Edges of a pattern named in full.
 const MOST_IN_PATTERN: usize = 12;
+/// Ranges of starts on one edge.
+const MOST_RANGES: usize = 2;
 /// Remarks on what is not as in the paper.
 const MOST_PROBLEMS: usize = 3;
 
@@ -26,6 +28,7 @@ pub fn throw(toss: &Toss, answer: &Throw) -> String {
         report.line("pattern", &pattern(set));
     }
     starts(&mut report, answer, unit);
+    safe_starts(&mut report, &answer.certificate, unit);
     report.line("proof", &proof(&answer.certificate, unit));
     slides(&mut report, answer);
     grasp(&mut report, answer, unit);
@@ -109,7 +112,7 @@ fn starts(report: &mut Report, answer: &Throw, unit: &str) {
         let count = if ended.len() == all { format!("all {all}") } else { ended.len().to_string() };
         parts.push(format!("{count} are lost"));
     }
-    report.line("starts", &parts.join("; "));
+    report.line("starts", &if all == 0 { "none were followed".to_owned() } else { parts.join("; ") });
     if let Some(first) = ended.first() {
         let (edge, radius) = first.at;
         report.line(
@@ -131,6 +134,25 @@ fn is_farther(set: &LimitSet, other: &LimitSet) -> bool {
     least(set) > most(other)
 }
 
+/// From where parts are not lost, if that is not everywhere: the widest ranges.
+fn safe_starts(report: &mut Report, proof: &Certificate, unit: &str) {
+    if proof.is_invariant || !proof.is_unique {
+        return;
+    }
+    let on_edge = |(edge, ranges): (&usize, &Vec<[f64; 2]>)| {
+        let mut widest: Vec<&[f64; 2]> = ranges.iter().collect();
+        widest.sort_by(|a, b| (b[1] - b[0]).total_cmp(&(a[1] - a[0])));
+        let told: Vec<String> = widest.iter().take(MOST_RANGES).map(|range| between(**range)).collect();
+        let more = match widest.len().saturating_sub(MOST_RANGES) {
+            0 => String::new(),
+            more => format!(", and {}", phrase::count(more, "shorter range")),
+        };
+        format!("edge {edge} at {} {unit}{more}", phrase::joined(&told, "or"))
+    };
+    let starts: Vec<String> = proof.starts.iter().map(on_edge).collect();
+    report.list("start on", &starts, "");
+}
+
 fn proof(proof: &Certificate, unit: &str) -> String {
     let cells = format!("{} cells, the narrowest {} {unit}", proof.cells, near(proof.width, 3));
     let stop = match proof.limit {
@@ -138,16 +160,20 @@ fn proof(proof: &Certificate, unit: &str) -> String {
         Some(ProofLimit::Resolution) => " at this resolution",
         None => "",
     };
-    if let (true, Some(_)) = (!proof.is_invariant, &proof.counterexample) {
-        return format!("throws lead out of the ranges ({})", phrase::count(proof.images, "image"));
+    if !proof.is_invariant && !proof.is_unique {
+        return match proof.counterexample {
+            Some(_) => format!("throws lead out of the ranges ({})", phrase::count(proof.images, "image")),
+            None => format!("none{stop}"),
+        };
     }
-    if !proof.is_invariant {
-        return format!("none{stop}");
-    }
-    let ranges: Vec<String> = proof.z.iter().map(|(edge, range)| format!("{edge} at {}", between(*range))).collect();
-    let from = match ranges.len() > 4 {
-        true => "throws from all ranges (--format json lists them)".to_owned(),
-        false => format!("throws from edge {} {unit}", phrase::joined(&ranges, "and")),
+    let from = match (proof.is_invariant, proof.z.len()) {
+        (false, _) => "throws from the starts above".to_owned(),
+        (true, 5..) => "throws from all ranges (--format json lists them)".to_owned(),
+        (true, _) => {
+            let ranges: Vec<String> =
+                proof.z.iter().map(|(edge, range)| format!("{edge} at {}", between(*range))).collect();
+            format!("throws from edge {} {unit}", phrase::joined(&ranges, "and"))
+        }
     };
     let leads = match proof.components.len() {
         1 => "stay there and come to one pattern".to_owned(),
