@@ -1,28 +1,35 @@
-//! A cycle of an orbit: from one arrival on the main edge to the next.
+//! A cycle of an orbit: from one arrival on the main edge to a later one.
 
 use crate::answer::LimitSet;
+use std::collections::BTreeSet;
 
 /// Throws shown of an orbit that does not come back.
 const WITHOUT: usize = 12;
+/// A cycle has no more throws, unless it comes back to the main edge only once.
+const MOST: usize = 60;
 
-/// The states of one cycle, and of the next if `cycles` is two, with the state that closes it; as the pattern has it, if one
-/// is.
-pub(super) fn cycle(set: &LimitSet, cycles: usize) -> &[(usize, f64)] {
+/// The states of one cycle with the state that closes it: until the orbit has been on all of its edges, and from where it
+/// then does as the pattern says, if it ever does.
+pub(super) fn cycle(set: &LimitSet) -> &[(usize, f64)] {
     let orbit = &set.orbit[..];
     let is_arrival = |place: &usize| orbit[*place].0 == set.main_edge && orbit[place - 1].0 != set.main_edge;
     let arrivals: Vec<usize> = (1..orbit.len()).filter(is_arrival).collect();
-    let pairs = || arrivals.windows(2);
-    let is_usual = |pair: &&[usize]| order(&orbit[pair[0]..pair[1]]) == set.pattern;
-    let Some(first) = pairs().position(|pair| is_usual(&pair)).or_else(|| pairs().next().map(|_| 0)) else {
-        let count = set.period.unwrap_or(WITHOUT).clamp(1, 4 * WITHOUT) + 1;
+    let is_usual = |place: &usize| order(&orbit[arrivals[*place]..arrivals[place + 1]]) == set.pattern;
+    let n_cycles = arrivals.len().saturating_sub(1);
+    if n_cycles == 0 {
+        let count = set.period.unwrap_or(WITHOUT).clamp(1, MOST) + 1;
         return &orbit[..orbit.len().min(count)];
-    };
-    let last = (first + cycles.max(1)).min(arrivals.len() - 1);
-    &orbit[arrivals[first]..=arrivals[last]]
+    }
+    let first = (0..n_cycles).find(is_usual).unwrap_or(0);
+    let edges = |states: &[(usize, f64)]| states.iter().map(|(edge, _)| *edge).collect::<BTreeSet<usize>>();
+    let all = edges(orbit);
+    let ends = (first + 1..arrivals.len()).take_while(|last| arrivals[*last] - arrivals[first] <= MOST);
+    let whole = ends.into_iter().find(|last| edges(&orbit[arrivals[first]..arrivals[*last]]) == all);
+    &orbit[arrivals[first]..=arrivals[whole.unwrap_or(first + 1)]]
 }
 
 /// Edges that follow each other.
-fn order(states: &[(usize, f64)]) -> Vec<usize> {
+pub(super) fn order(states: &[(usize, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = states.iter().map(|(edge, _)| *edge).collect();
     order.dedup();
     order

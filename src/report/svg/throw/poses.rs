@@ -3,7 +3,7 @@
 use super::super::canvas::{Align, At, Canvas, INK, MUTED, Pen};
 use super::super::legend::Swatch;
 use super::super::scene::quartered;
-use super::cycle::cycle;
+use super::cycle::{cycle, order};
 use super::mark::{self, Mark};
 use super::pose::{COM, Pose};
 use super::{PAGE, Picture, SIDE, Setting};
@@ -35,7 +35,7 @@ struct Shown {
 pub(super) fn draw(setting: &Setting) -> Option<Picture> {
     let per = to_f64(&setting.size);
     let poses = match setting.set() {
-        Some(set) => of_cycle(cycle(set, 1)),
+        Some(set) => of_cycle(cycle(set)),
         None => at_rest(setting),
     };
     let is_drawable = |shown: &Shown| {
@@ -61,12 +61,16 @@ fn heading(setting: &Setting, count: usize) -> Picture {
     let Some(set) = setting.set() else {
         return Picture::new("Poses", &["each stable edge at the least radius from which it can be thrown"]);
     };
-    let throws = cycle(set, 1).len().saturating_sub(1);
-    let edges: Vec<String> = set.pattern.iter().map(ToString::to_string).collect();
-    let pattern = if edges.len() > 1 { format!("flips from edges {}", edges.join(", ")) } else { String::new() };
+    let (before, throws) = match cycle(set) {
+        [before @ .., _] => (before, before.len()),
+        [] => (&[][..], 0),
+    };
+    let edges: Vec<String> = order(before).iter().map(ToString::to_string).collect();
+    let pattern = if edges.len() > 1 { format!("on edges {}", edges.join(", ")) } else { String::new() };
+    let period = set.period.map_or(String::new(), |period| format!("the orbit repeats after {period}"));
     let fewer = if count > MOST { format!("the first {MOST} of {count} poses") } else { String::new() };
     let about = format!("the part before each of {throws} throws, and after the last");
-    Picture::new("One cycle", &[&about, &pattern, &fewer])
+    Picture::new("One cycle", &[&about, &pattern, &period, &fewer])
 }
 
 /// The states of a cycle; the inner ones of long runs on one edge are left out if there are many.

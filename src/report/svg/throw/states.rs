@@ -20,8 +20,6 @@ const MOST_TALL: usize = 6;
 const BAND: f64 = 8.0;
 /// So many throws are drawn as arrows.
 const MOST_ARROWS: usize = 60;
-/// Shorter cycles are drawn twice.
-const MOST_TWICE: usize = 12;
 const DOT: f64 = 2.4;
 const INVARIANT: &str = "#9aa3ab";
 
@@ -182,12 +180,11 @@ fn draw_ends(picture: &mut Picture, setting: &Setting, rows: &Rows, number: usiz
     Some(labels)
 }
 
-/// One or two cycles.
+/// One cycle.
 fn draw_arrows(picture: &mut Picture, setting: &Setting, rows: &Rows) {
     let Some(set) = setting.set() else { return };
-    let one = cycle(set, 1);
-    let states = if one.len() > MOST_TWICE { one } else { cycle(set, 2) };
-    for pair in states[..states.len().min(MOST_ARROWS)].windows(2) {
+    let states = cycle(set);
+    for pair in states[..states.len().min(MOST_ARROWS + 1)].windows(2) {
         let [(from, start), (to, end)] = [pair[0], pair[1]];
         let (Some((here, lane)), Some((there, _))) = (setting.lane(from), setting.lane(to)) else { continue };
         let colour = lane.hue.colour;
