@@ -1,7 +1,7 @@
 //! What the marks mean.
 
 use super::canvas::{Align, At, Canvas, INK, MUTED, ORANGE, Pen, RED, SKY};
-use super::{pins, scene};
+use super::{pins, scene, throw};
 use crate::answer::PinAction;
 
 const ROW: f64 = 20.0;
@@ -20,6 +20,7 @@ pub(super) enum Swatch {
     Line(Pen),
     Pin,
     PinAction(Option<PinAction>),
+    Throw(throw::Mark),
 }
 
 /// Marks in use, in the order of their first use.
@@ -77,5 +78,6 @@ fn sample(canvas: &mut Canvas, swatch: Swatch, at: At) {
         Swatch::Line(pen) => canvas.line(&[left, right], pen),
         Swatch::Pin => pins::pin(canvas, at, [at.y - 8.0, at.y + 8.0]),
         Swatch::PinAction(action) => pins::sample(canvas, at, action),
+        Swatch::Throw(mark) => throw::sample(canvas, at, mark),
     }
 }

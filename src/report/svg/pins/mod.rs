@@ -100,4 +100,4 @@ fn left_out(setting: &Setting) -> String {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -30,7 +30,7 @@ pub(super) fn beyond(polygon: &[At], on: At, inward: At) -> Vec<At> {
 }
 
 /// Lines at 45 degrees across a polygon.
-pub(super) fn hatching(polygon: &[At]) -> Vec<Vec<At>> {
+pub(in super::super) fn hatching(polygon: &[At]) -> Vec<Vec<At>> {
     // lines of constant x + y, each cut where it enters and leaves
     let level = |at: &At| at.x + at.y;
     let (least, most) = polygon.iter().map(level).fold((f64::MAX, f64::MIN), |(l, m), v| (l.min(v), m.max(v)));

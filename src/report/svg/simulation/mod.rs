@@ -5,6 +5,8 @@ mod panel;
 mod shades;
 mod snapshots;
 
+pub(super) use clip::hatching;
+
 use super::canvas::{Align, At, Canvas, INK, MUTED, Pen};
 use super::legend::{Legend, Swatch};
 use super::scene::{shortened, wrapped};

@@ -13,13 +13,13 @@ use svg::node::element::tag::Type;
 use svg::parser::Event;
 
 /// A text of the page, with a box that it fills at least.
-struct Written {
-    text: String,
+pub(in super::super) struct Written {
+    pub(in super::super) text: String,
     low: [f64; 2],
     high: [f64; 2],
 }
 
-fn written(svg: &str) -> Vec<Written> {
+pub(in super::super) fn written(svg: &str) -> Vec<Written> {
     let (mut down, mut open, mut all) = (vec![0.0], None, Vec::new());
     for event in svg::read(svg).expect("a drawing") {
         match event {
@@ -53,7 +53,7 @@ fn says(svg: &str, text: &str) -> bool {
     written(svg).iter().any(|written| written.text == text)
 }
 
-fn height_of(svg: &str) -> f64 {
+pub(in super::super) fn height_of(svg: &str) -> f64 {
     let rest = svg.split_once(" height=\"").expect("a height").1;
     rest.split_once('"').expect("an end").0.parse().expect("a number")
 }
@@ -66,13 +66,14 @@ fn public_cases_are_drawn_well_formed_and_without_texts_over_each_other() {
         assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{}", drawn.name);
         let texts = written(&svg);
         assert!(texts.len() > 40);
-        assert_apart(&drawn.name, &texts, height_of(&svg));
+        assert_apart(&drawn.name, &texts, [PAGE, height_of(&svg)]);
     }
 }
 
-fn assert_apart(name: &str, texts: &[Written], bottom: f64) {
+/// Texts are on a page of this width and height, and none is over another.
+pub(in super::super) fn assert_apart(name: &str, texts: &[Written], [right, bottom]: [f64; 2]) {
     for (index, one) in texts.iter().enumerate() {
-        let inside = one.low[0] >= 0.0 && one.high[0] <= PAGE && one.high[1] <= bottom;
+        let inside = one.low[0] >= 0.0 && one.high[0] <= right && one.high[1] <= bottom;
         assert!(inside, "{name}: {} leaves the page", one.text);
         for other in &texts[index + 1..] {
             let overlaps = (0..2).all(|axis| one.low[axis] < other.high[axis] && other.low[axis] < one.high[axis]);
@@ -248,7 +249,7 @@ fn a_long_sequence_is_cut_and_says_so() {
     assert!(says("pin 6") && !texts.iter().any(|written| written.text == "pin 7"));
     // the lowest of all heights is that of the third pin and of the sixth
     assert!(says("pins 3 and 6: 3 "));
-    assert_apart(&drawn.name, &texts, height_of(&svg));
+    assert_apart(&drawn.name, &texts, [PAGE, height_of(&svg)]);
 }
 
 #[test]
