@@ -43,7 +43,7 @@ fn breaks_of_the_map_and_its_ranges_agree() {
             let reach = answer.reach.edges.iter().find(|reach| reach.edge == edge).unwrap();
             let close = |found: f64, wanted: f64, by: f64| (found - wanted).abs() <= by * answer.part_radius;
             // the reference starts a billionth above the end of the domain
-            let is_start = |radius: f64| close(radius, reach.r_low, 2e-9);
+            let is_start = |radius: f64| (radius - reach.r_low).abs() <= 2e-9 * reach.r_low;
             if let (Some(r_flip), false) = (wanted["R_flip"].as_f64(), reach.pieces.is_empty()) {
                 let found = reach.r_flip.unwrap();
                 assert!(
@@ -140,12 +140,10 @@ fn limit_sets_agree() {
                     answer.limit.sets.iter().map(|s| (&s.bands, &s.transitions)).collect::<Vec<_>>()
                 )
             });
-            assert_eq!(
-                (json!(found.period), found.main_edge),
-                (set["period"].clone(), index(&set["main_edge"])),
-                "{}",
-                case.name
-            );
+            assert_eq!(json!(found.period), set["period"], "{}", case.name);
+            // of edges that look alike either may be met more often
+            let class = |edge: usize| answer.classes.iter().position(|class| class.contains(&edge));
+            assert_eq!(class(found.main_edge), class(index(&set["main_edge"])), "{}", case.name);
             let ratio = |found: f64, wanted: f64| (found / wanted - 1.0).abs();
             assert!(ratio(found.throws_per_cycle, number(&set["throws_per_cycle"])) < 0.05, "{}", case.name);
             assert!((found.lyapunov - number(&set["lyapunov_per_throw"])).abs() < 0.02, "{}", case.name);
@@ -251,10 +249,10 @@ fn throws_away_from_breaks_are_certain_and_those_next_to_one_have_two_outcomes()
         assert!(answer.throws.iter().all(|query| query.is_certain && query.fates.len() == 1), "{}", case.name);
         let breaks = answer.reach.edges.iter().flat_map(|edge| {
             // pieces far wider than what counts as near
-            let pairs = edge
-                .pieces
-                .windows(2)
-                .filter(|pair| pair.iter().all(|piece| piece.to - piece.from > 1e-3 * answer.part_radius));
+            let is_wide = |piece: &Piece| piece.to - piece.from > 1e-3 * answer.part_radius;
+            let is_told =
+                move |pair: &&[Piece]| pair.iter().all(is_wide) && pair.iter().any(|piece| piece.landing.is_some());
+            let pairs = edge.pieces.windows(2).filter(is_told);
             pairs.map(|pair| (edge.edge, pair[0], pair[1]))
         });
         let breaks: Vec<(usize, Piece, Piece)> = breaks.collect();

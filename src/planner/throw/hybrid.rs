@@ -3,6 +3,7 @@
 use super::pieces::inside;
 use super::system::System;
 use crate::answer::{EdgeReach, Hybrid, Slide};
+use crate::mechanics::throwing::Thrown;
 
 /// Flips in a row after which the part is given up.
 const MOST_FLIPS: usize = 1_000;
@@ -51,9 +52,10 @@ fn slide(system: &System, edges: &[EdgeReach], from: &EdgeReach) -> Option<Slide
         let slides = edges.iter().find(|reach| reach.edge == edge).and_then(|reach| reach.r_flip);
         match slides {
             Some(r_flip) if radius < r_flip => return Some(Slide { edge: from.edge, flips, next: Some(edge) }),
-            _ => match system.next((edge, radius)) {
-                Some(catch) => flips.push((catch.edge, catch.radius, catch.steps)),
-                None => return lost(flips),
+            // as in the theorem, whether or not the next throw has a grasp
+            _ => match system.throw((edge, radius)) {
+                Thrown::Caught(catch) => flips.push((catch.edge, catch.radius, catch.steps)),
+                _ => return lost(flips),
             },
         }
     }
