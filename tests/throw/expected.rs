@@ -46,20 +46,24 @@ impl Expected {
         case::read(self.text.as_bytes(), &case::Limits::default()).unwrap().thrower.unwrap()
     }
 
-    /// A number of the answer.
-    pub fn exact(&self, key: &str) -> Q {
-        parse_literal(self.answer[key].as_str().unwrap()).unwrap()
-    }
-
     /// The hull on the arm.
     pub fn body<N: Real>(&self) -> Body<N> {
-        let part = self.part();
-        let Shape::Polygon(polygon) = &part.shape else { panic!("a polygon") };
-        let corners: Vec<[Q; 2]> = polygon.hull().iter().map(|k| polygon.vertices()[*k].clone()).collect();
-        let [offset, gravity, release] = ["offset", "gravity", "release_deg_per_s"].map(|key| self.exact(key));
-        let edges = RestingEdge::all(&corners, &part.center_of_mass, &part.gyration2());
-        Body::new(&corners, &part.center_of_mass, &part.gyration2(), &edges, [&offset, &gravity, &release])
+        body(&self.part(), &self.thrower())
     }
+}
+
+/// The hull of a part on an arm.
+pub fn body<N: Real>(part: &Part, thrower: &Thrower) -> Body<N> {
+    let corners = hull(part);
+    let edges = RestingEdge::all(&corners, &part.center_of_mass, &part.gyration2());
+    let arm = [&thrower.offset, &thrower.gravity, &thrower.release_deg_per_s];
+    Body::new(&corners, &part.center_of_mass, &part.gyration2(), &edges, arm)
+}
+
+/// Its corners, counter-clockwise.
+pub fn hull(part: &Part) -> Vec<[Q; 2]> {
+    let Shape::Polygon(polygon) = &part.shape else { panic!("a polygon") };
+    polygon.hull().iter().map(|k| polygon.vertices()[*k].clone()).collect()
 }
 
 /// A number written as text.

@@ -7,5 +7,6 @@ mod expected;
 mod grasp;
 mod map;
 mod plan;
+mod properties;
 mod replay;
 mod starts;
