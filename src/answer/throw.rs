@@ -403,7 +403,7 @@ pub enum ProofLimit {
 pub struct Component {
     /// Cells in it.
     pub cells: usize,
-    /// Whether no cell outside is reached from it.
+    /// Whether it is proved that no throw leads out of it.
     pub is_terminal: bool,
     /// Outer bands: the radii of its cells on each edge.
     pub bands: BTreeMap<usize, Vec<[f64; 2]>>,
@@ -479,7 +479,7 @@ pub struct BestSetting {
     pub place: usize,
     /// Radii at which the sensor tells the same edge at all settings within the margin (length).
     pub window: [f64; 2],
-    /// Whether a certificate at this setting proves it to be a plan.
+    /// Whether a certificate at this setting proves it to be a plan, and that the sensor tells the edge at all these radii there.
     pub is_proved: bool,
 }
 

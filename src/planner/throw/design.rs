@@ -170,9 +170,9 @@ impl Thrown<'_> {
             let Some(window) = self.common_window(&within, others.iter()) else { continue };
             if proofs < MOST_PROOFS {
                 proofs += 1;
-                let system = self.system(control(place), self.center_of_mass);
-                let proof = proof::certify(&system, &reach(&system), &mut |_, _| watch(number, held.len()));
-                if proof.is_unique {
+                let told = Setting { window: Some(window), ..within };
+                let mut goes_on = || watch(number, held.len());
+                if let Some(window) = self.proved_window(control(place), &told, &mut goes_on) {
                     return (Some(BestSetting { place, window, is_proved: true }), None);
                 }
             }
@@ -188,6 +188,23 @@ impl Thrown<'_> {
     fn is_held(&self, setting: &Setting, margin: f64) -> bool {
         let friction = self.thrower.friction.as_ref().map_or(f64::INFINITY, |friction| to_f64(&friction.min));
         setting.grasp_margin >= 1.0 + margin && setting.friction * (1.0 + margin) <= friction
+    }
+
+    /// The part of a setting's window that is proved to tell its edge; `None` if there is none, or the pattern is not proved.
+    fn proved_window(
+        &self,
+        control: [&Q; 2],
+        setting: &Setting,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Option<[f64; 2]> {
+        let system = self.system(control, self.center_of_mass);
+        let reach = reach(&system);
+        let proof = proof::certify(&system, &reach, &mut |_, _| goes_on());
+        let found = limit::limit_sets(&system, &reach, STARTS, SHORT, &mut |_, _| true);
+        let set = found.sets.first().filter(|_| proof.is_unique)?;
+        let windows = sensor(0, set, &system, self.classes, &proof.starts, &proof).windows;
+        let windows = windows.iter().filter_map(|window| Some((window.edges[0], window.proved?))).collect();
+        self.common_window(setting, std::iter::once(&Tried { setting: setting.clone(), windows }))
     }
 
     /// Settings at the ends of the margin about one, and that one with the center of mass at the ends of its tolerance. The

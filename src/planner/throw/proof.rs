@@ -99,7 +99,7 @@ fn refine(
         let found = components(&arrows);
         certificate.cells = cells.len();
         certificate.width = cells.iter().map(Cell::width).fold(f64::INFINITY, f64::min);
-        certificate.components = found.iter().map(|component| describe(&cells, &arrows, component)).collect();
+        certificate.components = found.iter().map(|component| describe(&cells, component)).collect();
         let kept: Vec<usize> = found.into_iter().flatten().collect();
         let widest = kept.iter().map(|cell| cells[*cell].width()).fold(0.0, f64::max);
         let is_fine = widest <= system.part_radius / LAST;
@@ -256,19 +256,13 @@ fn arrows(cells: &[Cell]) -> Vec<Vec<usize>> {
     cells.iter().enumerate().map(arrows_of).collect()
 }
 
-fn describe(cells: &[Cell], arrows: &[Vec<usize>], component: &[usize]) -> Component {
-    let mut bands: BTreeMap<usize, Vec<[f64; 2]>> = BTreeMap::new();
+fn describe(cells: &[Cell], component: &[usize]) -> Component {
     let mut places = component.to_vec();
     places.sort_unstable();
-    for place in &places {
-        let cell = &cells[*place];
-        let bands = bands.entry(cell.edge).or_default();
-        match bands.last_mut() {
-            Some(last) if last[1] == cell.radii[0] => last[1] = cell.radii[1],
-            _ => bands.push(cell.radii),
-        }
-    }
-    let is_terminal = places.iter().all(|place| arrows[*place].iter().all(|to| places.binary_search(to).is_ok()));
+    let own = || places.iter().map(|place| &cells[*place]);
+    let bands = safe::merged(own());
+    // cells that were dropped on the way are outside, too
+    let is_terminal = own().all(|cell| cell.branches.iter().all(|branch| safe::is_covered(&branch.end, &bands)));
     Component { cells: places.len(), is_terminal, bands }
 }
 

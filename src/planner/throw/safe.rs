@@ -60,7 +60,7 @@ pub(super) fn cells(
 }
 
 /// The radii of the cells on each edge.
-pub(super) fn merged(cells: &[Cell]) -> BTreeMap<usize, Vec<[f64; 2]>> {
+pub(super) fn merged<'c>(cells: impl IntoIterator<Item = &'c Cell>) -> BTreeMap<usize, Vec<[f64; 2]>> {
     let mut merged: BTreeMap<usize, Vec<[f64; 2]>> = BTreeMap::new();
     for cell in cells {
         let radii = merged.entry(cell.edge).or_default();
@@ -73,7 +73,7 @@ pub(super) fn merged(cells: &[Cell]) -> BTreeMap<usize, Vec<[f64; 2]>> {
 }
 
 /// Whether a landing is inside of the radii.
-fn is_covered(end: &BranchEnd, radii: &BTreeMap<usize, Vec<[f64; 2]>>) -> bool {
+pub(super) fn is_covered(end: &BranchEnd, radii: &BTreeMap<usize, Vec<[f64; 2]>>) -> bool {
     let BranchEnd::Rest { edge, radii: landing, .. } = end else { return false };
     let [low, high] = landing.ends();
     radii.get(edge).is_some_and(|ranges| {

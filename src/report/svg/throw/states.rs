@@ -118,7 +118,7 @@ fn draw_ground(picture: &mut Picture, setting: &Setting, rows: &Rows, number: us
 fn draw_bands(picture: &mut Picture, setting: &Setting, rows: &Rows, number: usize) {
     let (lane, proof, radii) = (&setting.lanes[number], &setting.answer.certificate, &setting.radii);
     let (line, [_, bottom]) = (rows.line(number), rows.of(number));
-    if let Some(ends) = proof.z.get(&lane.edge).filter(|_| proof.is_invariant) {
+    for ends in proof.starts.get(&lane.edge).into_iter().flatten() {
         let pen = Pen::stroke(INVARIANT, 4.0);
         picture.canvas.line(&ends.map(|end| At::new(radii.at(end), bottom - 3.0)), pen);
         picture.legend.add(Swatch::Line(pen), "proved: throws from here land here again");
