@@ -151,6 +151,7 @@ pub(super) fn throw(toss: &Toss, answer: &Throw) -> String {
             "undecided: every throw that was tried leads to one pattern, which is not proved at this resolution"
                 .to_owned()
         }
+        _ if n_sets == 0 => "undecided: no throw that was tried comes to a pattern".to_owned(),
         _ => format!("undecided: throws that were tried lead to {}", count(n_sets, "pattern")),
     }
 }

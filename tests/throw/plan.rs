@@ -4,7 +4,8 @@ use super::expected::{self, Expected, index, number};
 use partplan::answer::{Fate, LimitSet, Piece, Throw};
 use partplan::exact::{from_float_exact, parse_literal};
 use partplan::mechanics::throwing::{Settling, Thrown};
-use partplan::planner::{self, ThrowQuestion};
+use partplan::model::Thrower;
+use partplan::planner::{self, ThrowError, ThrowQuestion};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
@@ -294,4 +295,22 @@ fn a_planner_that_is_stopped_at_once_is_undecided() {
     let answer = planner::throw(&case.part(), &case.thrower(), &question, &mut watch).unwrap();
     assert!(answer.is_stopped && answer.limit.sets.is_empty() && asked == 1);
     assert_eq!(answer.status(), "undecided");
+}
+
+#[test]
+fn arms_and_throws_of_any_size_are_answered_or_refused() {
+    let case = expected::of("triangle_6_8_10");
+    let asked = |offset: &str, radius: &str| {
+        let thrower = Thrower { offset: parse_literal(offset).unwrap(), ..case.thrower() };
+        let question = ThrowQuestion { throws: vec![(0, parse_literal(radius).unwrap())], ..ThrowQuestion::default() };
+        planner::throw(&case.part(), &thrower, &question, &mut |_| true)
+    };
+    for offset in ["1e6", "-1e6", "100", "-100", "1e-300"] {
+        assert!(asked(offset, "1e6").is_ok(), "{offset}");
+    }
+    for radius in ["1e9", "1e30", "1e400"] {
+        assert_eq!(asked("0", radius), Err(ThrowError::TooFar { edge: 0 }));
+    }
+    assert_eq!(asked("-1e40", "1"), Err(ThrowError::OutOfRange));
+    assert!(asked("0", "-1e400").is_ok_and(|answer| answer.throws[0].fates == [Fate::NoGrasp]));
 }

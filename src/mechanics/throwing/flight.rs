@@ -175,7 +175,8 @@ impl Body<f64> {
         let base = (edge + n - vertex) % n;
         // less than half a turn after the edge right of the vertex was flat
         let turns = ((angle - self.flat_after(edge, vertex)) / TAU + 0.25).floor();
-        base as i64 + n as i64 * turns as i64
+        // in a flight of more turns doubles do not tell the turn
+        base as i64 + n as i64 * turns.clamp(-1e12, 1e12) as i64
     }
 
     /// Least turn, not negative, that lays `other` flat when `edge` was.

@@ -73,7 +73,8 @@ pub(super) fn limit_sets(
 /// Starts, and whether they are within the ranges.
 fn grid(system: &System, reach: &Reach, count: usize) -> impl Iterator<Item = (State, bool)> {
     let scan = system.scan_to();
-    reach.edges.iter().flat_map(move |edge| {
+    let followed = reach.edges.iter().filter(|edge| edge.r_low <= system.far());
+    followed.flat_map(move |edge| {
         let low = edge.r_low;
         let most = edge.r_max.max(low);
         // neither on the ends, one of which is a fixed point, nor at round places

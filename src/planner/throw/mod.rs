@@ -16,7 +16,7 @@ mod sensor;
 mod system;
 
 use crate::answer::{Fate, Sensor, Throw, ThrowQuery};
-use crate::exact::{FloatInterval, Q};
+use crate::exact::{FloatInterval, Q, to_f64};
 use crate::geometry::{Polygon, difference, dot, symmetry_shift};
 use crate::mechanics::throwing::{Branch, BranchEnd, Elsewhere, RestingEdge, Settling};
 use crate::model::{Part, Shape, Thrower};
@@ -127,6 +127,15 @@ pub enum ThrowError {
     /// A carry is asked about, and how the part slips is not known.
     #[error("a carry needs the friction between part and arm; write \"friction\": 0.4 in the throw section")]
     NoFriction,
+    /// A throw is asked about from so far out that doubles do not tell how the part lands.
+    #[error(
+        "a throw from edge {edge} is asked about more than a million times as far out as the arm throws the part; write a \
+         smaller radius"
+    )]
+    TooFar {
+        /// The edge.
+        edge: usize,
+    },
     /// The numbers of the case are beyond those of doubles.
     #[error("the part's size and the arm's speed and gravity are too far apart for throws to be computed in doubles")]
     OutOfRange,
@@ -164,6 +173,10 @@ pub fn throw(
     let (system, edges) = System::new(&hull, &part.center_of_mass, &rho2, thrower, question.settling);
     if !system.is_in_range() {
         return Err(ThrowError::OutOfRange);
+    }
+    let is_far = |(_, radius): &&(usize, Q)| to_f64(radius) > 1e6 * system.lambda();
+    if let Some((edge, _)) = question.throws.iter().find(is_far) {
+        return Err(ThrowError::TooFar { edge: *edge });
     }
     let grasp = grasp::common(&edges, &thrower.offset).ok_or(ThrowError::OutOfRange)?;
     let mut is_stopped = false;

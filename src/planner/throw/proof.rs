@@ -173,7 +173,7 @@ fn domain(system: &System, edges: &[EdgeReach], above_clear: f64) -> BTreeMap<us
     let range = |edge: &EdgeReach| {
         let [grasp, clear] = system.lows(edge.edge)?;
         let low = grasp.max(clear + above_clear * system.part_radius);
-        Some((edge.edge, [low, edge.r_max])).filter(|_| low < edge.r_max)
+        Some((edge.edge, [low, edge.r_max])).filter(|_| low < edge.r_max && low <= system.far())
     };
     edges.iter().filter_map(range).collect()
 }
@@ -193,6 +193,9 @@ fn invariant(
         let mut open: Vec<[f64; 2]> =
             (0..count as usize).rev().map(|k| [place(k as f64), place(k as f64 + 1.0)]).collect();
         while let Some(radii) = open.pop() {
+            if !watch(cells.len(), MOST_CELLS) {
+                return Err(Some(ProofLimit::Stopped));
+            }
             certificate.images += 1;
             let cell = Cell::new(system, edge, radii);
             if cell.branches.iter().all(|branch| is_inside(branch, z)) {
@@ -206,9 +209,6 @@ fn invariant(
                 let [left, right] = cell.halves();
                 open.extend([right, left]);
             }
-        }
-        if !watch(cells.len(), MOST_CELLS) {
-            return Err(Some(ProofLimit::Stopped));
         }
     }
     if is_resolved { Ok(cells) } else { Err(Some(ProofLimit::Resolution)) }

@@ -25,12 +25,12 @@ pub(super) fn cells(
         let count = ((high - low) / system.part_radius * FIRST).ceil().clamp(1.0, MOST_CELLS as f64);
         let place = |k: f64| if k >= count { high } else { low + (high - low) * k / count };
         for k in 0..count as usize {
+            if !watch(cells.len(), MOST_CELLS) {
+                return None;
+            }
             cells.push(Cell::new(system, edge, [place(k as f64), place(k as f64 + 1.0)]));
         }
         *images += count as usize;
-        if !watch(cells.len(), MOST_CELLS) {
-            return None;
-        }
     }
     loop {
         let kept = merged(&cells);

@@ -150,7 +150,8 @@ impl System {
     /// Whether sizes and speeds are numbers that doubles can be computed with.
     pub(super) fn is_in_range(&self) -> bool {
         let lengths = [self.part_radius, self.lambda(), self.near().rate()];
-        lengths.into_iter().all(|length| (1e-100..1e100).contains(&length)) && self.part_radius < 1e8 * self.lambda()
+        let size = self.part_radius.max(self.near().offset().abs());
+        lengths.into_iter().all(|length| (1e-100..1e100).contains(&length)) && size < 1e8 * self.lambda()
     }
 
     /// Up to so many states from a start on.
