@@ -2,7 +2,7 @@
 
 use partplan::case::{Case, Limits, Section, read, read_for};
 use partplan::exact::{Q, Z, parse_literal, ratio};
-use partplan::model::{LengthUnit, Place, Range, Shape};
+use partplan::model::{GivenPush, LengthUnit, Place, Range, Shape};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -382,4 +382,35 @@ proptest! {
         prop_assert!(dot(&arm, &fixel.normal) < ratio(0, 1));
         prop_assert_eq!(case.warnings.len(), 1);
     }
+}
+
+/// A case may bring its own plan: a push on an edge or a rim, a tilt, a wrench, or heights of pins.
+#[test]
+fn plans_that_a_case_brings_are_read_exactly_and_refused_where_they_make_no_sense() {
+    let text = |shape: &str, at: &str, plan: &str| {
+        format!(
+            "{{\"part\": {{\"shape\": {shape}}}, \"insert\": {{\"fixels\": [{{\"at\": {at}, \"friction\": 0.1}}], \"plan\": {plan}}}}}"
+        )
+    };
+    let given = |plan: &str| case(&text(RECTANGLE, "[2, 0]", plan)).given_push.unwrap();
+    assert_eq!(given(r#"{"edge": 2, "s": 0.3}"#), GivenPush::Edge { edge: 2, s: q("3/10") });
+    assert_eq!(given(r#"{"tilt": [0, "-1/3"]}"#), GivenPush::Tilt(point("0", "-1/3")));
+    assert_eq!(given(r#"{"wrench": [0, 1, -2]}"#), GivenPush::Wrench([q("0"), q("1"), q("-2")]));
+    let on_disc = case(&text(DISC, "[6, 2]", r#"{"from": [3, 4]}"#)).given_push;
+    assert_eq!(on_disc, Some(GivenPush::Circle(point("3", "4"))));
+    let codes = |shape: &str, at: &str, plan: &str| -> Vec<&'static str> {
+        let faults = read(text(shape, at, plan).as_bytes(), &Limits::default()).unwrap_err();
+        faults.iter().map(|fault| fault.code()).collect()
+    };
+    assert_eq!(codes(RECTANGLE, "[2, 0]", r#"{"edge": 4, "s": 0.3}"#), ["C053"]);
+    assert_eq!(codes(RECTANGLE, "[2, 0]", r#"{"from": [0, 1]}"#), ["C084"]);
+    assert_eq!(codes(RECTANGLE, "[2, 0]", r#"{"tilt": [0, 0]}"#), ["C085"]);
+    assert_eq!(codes(DISC, "[6, 2]", r#"{"edge": 0, "s": 0.5}"#), ["C054"]);
+    let pins = |plan: &str| {
+        format!(
+            "{{\"part\": {{\"shape\": {RECTANGLE}}}, \"pins\": {{\"belt_friction\": 1, \"pin_friction\": 0, \"plan\": {plan}}}}}"
+        )
+    };
+    assert_eq!(case(&pins("[3.9, \"10/3\"]")).given_pins, [q("3.9"), q("10/3")]);
+    assert_eq!(read(pins("[0]").as_bytes(), &Limits::default()).unwrap_err()[0].code(), "C022");
 }

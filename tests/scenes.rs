@@ -2,7 +2,7 @@
 
 use partplan::case::{Limits, SceneCase, read_scene};
 use partplan::model::{
-    Body, Compliance, Obstacle, Planar, PlanarShape, Restitution, Scene, Spatial, SpatialShape, Timed, World,
+    Body, Compliance, Finger, Obstacle, Planar, PlanarShape, Restitution, Scene, Spatial, SpatialShape, Timed, World,
 };
 use proptest::prelude::*;
 
@@ -31,6 +31,32 @@ fn with(scene: &str, body: &str, floor: &str) -> String {
            "shape": {{"circle": {{"radius": 0.1}}}}}}],
            "fixed": [{{"name": "floor", {floor} "shape": {{"half_plane": {{"point": [0, 0], "normal": [0, 3]}}}}}}]}}}}"#
     )
+}
+
+/// A finger presses on an edge of a polygon, or on a disc; its guide is told by a point and any vector.
+#[test]
+fn fingers_are_read_and_refused_where_they_cannot_press() {
+    let body = |shape: &str, finger: &str| {
+        format!(
+            r#"{{"scene": {{"duration": 1, "friction": 0.2, "bodies": [{{"name": "peg", "mass": 1, "inertia": 1, "pose": [0, 0, 0],
+                 "shape": {shape}, "finger": {finger}}}]}}}}"#
+        )
+    };
+    let square = r#"{"polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}"#;
+    let disc = r#"{"circle": {"radius": 1}}"#;
+    let on_edge = r#"{"edge": 2, "at": [0.5, 3], "direction": [0, -2], "force": 4}"#;
+    let finger = planar(&body(square, on_edge)).bodies[0].finger;
+    assert_eq!(finger, Some(Finger { edge: Some(2), at: [0.5, 3.0], direction: [0.0, -1.0], force: 4.0 }));
+    let on_disc = r#"{"at": [0, 3], "direction": [0, -1], "force": 4}"#;
+    assert_eq!(planar(&body(disc, on_disc)).bodies[0].finger.map(|finger| finger.edge), Some(None));
+    let codes = |text: &str| -> Vec<&'static str> {
+        read_scene(text.as_bytes(), &Limits::default()).unwrap_err().iter().map(|fault| fault.code()).collect()
+    };
+    assert_eq!(codes(&body(square, on_disc)), ["C014"]);
+    assert_eq!(codes(&body(disc, on_edge)), ["C054"]);
+    assert_eq!(codes(&body(square, &on_edge.replace("2,", "4,"))), ["C053"]);
+    assert_eq!(codes(&body(square, &on_edge.replace("[0, -2]", "[0, 0]"))), ["C056"]);
+    assert_eq!(codes(&body(r#"{"compound": [{"circle": {"radius": 1}}]}"#, on_disc)), ["C081"]);
 }
 
 #[test]
@@ -62,6 +88,7 @@ fn every_key_of_a_planar_scene_is_read() {
         velocity: [1.0, 2.0, 3.0],
         is_kinematic: false,
         schedule: vec![Timed { time: 0.0, value: [0.0, -1.0, 0.5] }],
+        finger: None,
     };
     assert_eq!(bodies[0], peg);
     let pusher = &bodies[1];

@@ -8,7 +8,7 @@ use super::show;
 use super::{Limits, SMALLEST_INSERT};
 use crate::exact::{Q, ratio};
 use crate::geometry::{Location, Polygon, cross, difference, dot, rational_point_on_circle, shortened};
-use crate::model::{Fixel, Fixture, Place, Shape};
+use crate::model::{Fixel, Fixture, GivenPush, Place, Shape};
 use jsonc_parser::ast::Value;
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 use std::ops::Range;
@@ -22,10 +22,25 @@ struct Contact {
 }
 
 impl Reader {
-    /// The fixture; `shape` is missing where it has faults of its own.
-    pub fn fixture(&mut self, value: &Value, path: &Path, shape: Option<&Shape>, limits: &Limits) -> Option<Fixture> {
-        let fields = self.fields(value, path, &["fixels"], SMALLEST_INSERT)?;
-        let list = self.require(&fields, "fixels", path, SMALLEST_INSERT)?;
+    /// The fixture, and the plan given with it; `shape` is missing where it has faults of its own.
+    pub fn fixture(
+        &mut self,
+        value: &Value,
+        path: &Path,
+        shape: Option<&Shape>,
+        limits: &Limits,
+    ) -> Option<(Fixture, Option<GivenPush>)> {
+        let fields = self.fields(value, path, &["fixels", "plan"], SMALLEST_INSERT)?;
+        let plan = match fields.get("plan") {
+            Some(plan) => self.given_push(plan, &path.key("plan"), shape).map(Some),
+            None => Some(None),
+        };
+        let fixture = self.fixels(&fields, path, shape, limits);
+        fixture.zip(plan)
+    }
+
+    fn fixels(&mut self, fields: &Fields, path: &Path, shape: Option<&Shape>, limits: &Limits) -> Option<Fixture> {
+        let list = self.require(fields, "fixels", path, SMALLEST_INSERT)?;
         let path = path.key("fixels");
         let elements = &self.array(list, &path, SMALLEST_INSERT)?.elements;
         if elements.is_empty() {
@@ -92,18 +107,24 @@ impl Reader {
                 return None;
             }
         };
-        let number = Some(&edge).filter(|edge| edge.is_integer()).and_then(|edge| edge.to_usize());
-        let Some(number) = number.filter(|number| *number < polygon.n_edges()) else {
-            let kind = FaultKind::NoSuchEdge { edge: show::number(&edge), last: polygon.n_edges() - 1 };
-            let help = "edge i runs from vertex i to the next one, counter-clockwise, from 0";
-            self.fault(kind, span, &path.key("edge"), help);
-            return None;
-        };
+        let number = self.edge_number(&edge, span, &path.key("edge"), polygon.n_edges())?;
         let location = polygon.location(number, s?);
         Some(contact_on(polygon, location))
     }
 
-    fn share(&mut self, value: &Value, path: &Path) -> Option<Q> {
+    /// A number as that of one of `n_edges` edges.
+    pub fn edge_number(&mut self, edge: &Q, span: Range<usize>, path: &Path, n_edges: usize) -> Option<usize> {
+        let number = Some(edge).filter(|edge| edge.is_integer()).and_then(|edge| edge.to_usize());
+        let number = number.filter(|number| *number < n_edges);
+        if number.is_none() {
+            let kind = FaultKind::NoSuchEdge { edge: show::number(edge), last: n_edges - 1 };
+            self.fault(kind, span, path, "edge i runs from vertex i to the next one, counter-clockwise, from 0");
+        }
+        number
+    }
+
+    /// A share of an edge.
+    pub fn share(&mut self, value: &Value, path: &Path) -> Option<Q> {
         let s = self.number(value, path)?;
         if s.is_negative() || s > Q::one() {
             let kind = FaultKind::OutOfRange { name: "s", range: "from 0 to 1".into(), value: show::number(&s) };

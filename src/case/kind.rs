@@ -327,6 +327,12 @@ pub enum FaultKind {
         /// The other, possibly shortened.
         second: String,
     },
+    /// A push from a direction, on a part with edges.
+    #[error("a polygon is pushed on one of its edges")]
+    FromOnPolygon,
+    /// A push of length zero.
+    #[error("a push of length zero does nothing")]
+    ZeroPush,
 }
 
 /// Why an entry of `pairs` names no pair.
@@ -398,6 +404,8 @@ impl FaultKind {
             Self::WrongMotion { .. } => "C081",
             Self::NoFriction { .. } => "C082",
             Self::Disagreement { .. } => "C083",
+            Self::FromOnPolygon => "C084",
+            Self::ZeroPush => "C085",
         }
     }
 }

@@ -4,6 +4,7 @@ mod conveyor;
 mod fault;
 mod fixels;
 mod friction;
+mod given;
 mod kind;
 mod part;
 mod reader;
@@ -19,7 +20,8 @@ pub use kind::{FaultKind, PairFault, SyntaxFault};
 pub use render::render;
 pub use scene::{SceneCase, read_scene};
 
-use crate::model::{Conveyor, Fixture, LengthUnit, Part, Thrower};
+use crate::exact::Q;
+use crate::model::{Conveyor, Fixture, GivenPush, LengthUnit, Part, Thrower};
 use jsonc_parser::ast::Value;
 use reader::{Path, Reader, span_of};
 use show::clipped;
@@ -72,8 +74,12 @@ pub struct Case {
     pub part: Part,
     /// The `insert` section, if present.
     pub fixture: Option<Fixture>,
+    /// The plan that the `insert` section brings along, if any.
+    pub given_push: Option<GivenPush>,
     /// The `pins` section, if present.
     pub conveyor: Option<Conveyor>,
+    /// Heights of the pins that the `pins` section brings along, in the order met; may be empty.
+    pub given_pins: Vec<Q>,
     /// The `throw` section, if present.
     pub thrower: Option<Thrower>,
     /// Things worth knowing that are not errors: points moved onto the outline, an inertia taken about another point.
@@ -175,11 +181,15 @@ impl Reader {
             self.thrower(value, key, &path, shape.as_ref(), unit)
         });
         unit?;
+        let (fixture, given_push) = fixture.flatten().unzip();
+        let (conveyor, given_pins) = conveyor.flatten().unzip();
         Some(Case {
             name: name.flatten().map(String::from),
             part: part?,
-            fixture: fixture.flatten(),
-            conveyor: conveyor.flatten(),
+            fixture,
+            given_push: given_push.flatten(),
+            conveyor,
+            given_pins: given_pins.unwrap_or_default(),
             thrower: thrower.flatten(),
             warnings: Vec::new(),
         })

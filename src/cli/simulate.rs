@@ -5,7 +5,7 @@ use super::progress::Clock;
 use super::stop::{Reason, Stop};
 use super::{Failure, Outcome, input, output};
 use partplan::answer::{Simulation, Status};
-use partplan::dynamics::{self, Mechanics, ModelKind, Options, SimulationError};
+use partplan::dynamics::{self, Mechanics, ModelKind, Options, Policy, SimulationError};
 use partplan::exact::{LiteralError, parse_literal, to_f64};
 use partplan::model::{Scene, World};
 use partplan::report::{self, Run, Shown};
@@ -25,6 +25,10 @@ pub struct Args {
     /// Which model steps
     #[arg(long, value_enum, default_value_t = Model::Auto)]
     model: Model,
+
+    /// Which of several motions that a step allows is followed
+    #[arg(long, value_enum, default_value_t = Pick::First)]
+    policy: Pick,
 
     /// Step in seconds, instead of the scene's
     #[arg(long, value_name = "H", value_parser = positive, allow_hyphen_values = true)]
@@ -72,6 +76,15 @@ enum Model {
     Moreau,
     /// Song, Pang and Kumar's: visco-elastic contacts, a nonlinear complementarity problem a step
     Spk,
+}
+
+/// Which of several motions is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Pick {
+    /// The one that the solver finds
+    First,
+    /// The one that leaves the largest gaps: for one free body in the plane, with --model st
+    Adverse,
 }
 
 /// Simulates a scene.
@@ -164,6 +177,10 @@ impl Args {
                 Model::St => ModelKind::StewartTrinkle,
                 Model::Moreau => ModelKind::Moreau,
                 Model::Spk => ModelKind::SongPangKumar,
+            },
+            policy: match self.policy {
+                Pick::First => Policy::First,
+                Pick::Adverse => Policy::Adverse,
             },
             step: self.step,
             tolerance: self.tolerance.unwrap_or(defaults.tolerance),

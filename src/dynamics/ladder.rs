@@ -1,5 +1,6 @@
 //! The cheapest model that a scene allows, and the step that its tolerance asks for.
 
+use super::Moment;
 use super::mechanics::Mechanics;
 use super::moreau::Moreau;
 use super::options::Options;
@@ -29,7 +30,7 @@ const FIRST_PHASE: f64 = 0.2;
 pub(super) fn climb<S: Mechanics>(
     world: &World<S>,
     options: &Options,
-    watch: &mut dyn FnMut(f64) -> bool,
+    watch: &mut dyn FnMut(Moment<S>) -> bool,
 ) -> Result<Simulation<S>, SimulationError> {
     let friction = world.materials.iter().map(|material| material.friction).fold(0.0, f64::max);
     let (chosen, reason) = if friction == 0.0 {

@@ -1,7 +1,7 @@
 //! What differs between the plane and space: kinematics, inertia, contacts.
 
 use super::contact::{Contact, dot};
-use crate::model::{Body, Space, World};
+use crate::model::{Body, Finger, Space, World};
 
 /// A space that bodies move in.
 pub trait Mechanics: Space {
@@ -54,6 +54,10 @@ pub trait Mechanics: Space {
         pose: &Self::Pose,
         velocity: &Self::Velocity,
     ) -> Self::Velocity;
+
+    /// The wrench of a finger at its center of mass, where it touches the body.
+    #[doc(hidden)]
+    fn push(body: &Body<Self>, finger: &Finger, pose: &Self::Pose) -> Option<Self::Velocity>;
 
     /// Height over which gravity has pulled: `-g · x` (m²/s²).
     #[doc(hidden)]

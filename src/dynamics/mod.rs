@@ -1,8 +1,10 @@
 //! Time-steppers for rigid bodies with friction: floats, verified step by step.
 
+mod adverse;
 mod collide;
 mod collide_spatial;
 mod contact;
+mod finger;
 mod forces;
 mod impact;
 mod impulses;
@@ -31,7 +33,7 @@ mod touches;
 mod turning;
 
 pub use mechanics::Mechanics;
-pub use options::{ModelKind, Options};
+pub use options::{ModelKind, Options, Policy};
 pub use song_pang_kumar::SimulationError;
 
 use crate::answer::{ModelChoice, Simulation};
@@ -53,9 +55,36 @@ pub fn simulate<S: Mechanics>(
     options: &Options,
     watch: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Simulation<S>, SimulationError> {
+    observe(world, options, &mut |moment| watch(moment.time))
+}
+
+/// What is known of a run before a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Moment<'a, S: Mechanics> {
+    /// Time reached (s).
+    pub time: f64,
+    /// A pose a body.
+    pub poses: &'a [S::Pose],
+    /// A velocity a body.
+    pub velocities: &'a [S::Velocity],
+}
+
+/// Runs a scene as [`simulate`] does, for one who sees where the bodies are before every step.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn observe<S: Mechanics>(
+    world: &World<S>,
+    options: &Options,
+    watch: &mut dyn FnMut(Moment<S>) -> bool,
+) -> Result<Simulation<S>, SimulationError> {
     song_pang_kumar::check_shapes(world)?;
     let step = options.step.or(world.step).unwrap_or(1e-3);
     let choice = |chosen| ModelChoice { chosen, step, ..ModelChoice::default() };
+    let is_adverse = options.policy == Policy::Adverse;
+    if is_adverse && !adverse::is_known_for(world, options.model) {
+        return Err(SimulationError::Adverse);
+    }
     match options.model {
         ModelKind::SongPangKumar => {
             song_pang_kumar::check(world)?;
@@ -63,6 +92,11 @@ pub fn simulate<S: Mechanics>(
             let mut simulation = run::run(world, options, choice("spk"), &mut stepper, watch);
             simulation.notes.splice(0..0, song_pang_kumar::notes(world, step, options.second_order));
             Ok(simulation)
+        }
+        ModelKind::Auto | ModelKind::StewartTrinkle if is_adverse => {
+            let mut stepper = StewartTrinkle::new(world, options.recovery_speed.unwrap_or(f64::INFINITY));
+            stepper.is_adverse = true;
+            Ok(run::run(world, options, choice("st"), &mut stepper, watch))
         }
         ModelKind::StewartTrinkle => {
             let recovery_speed = options.recovery_speed.unwrap_or(f64::INFINITY);

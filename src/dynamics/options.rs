@@ -5,6 +5,8 @@
 pub struct Options {
     /// Which model steps.
     pub model: ModelKind,
+    /// Which of several motions that a step allows is followed.
+    pub policy: Policy,
     /// Step (s), instead of the scene's.
     pub step: Option<f64>,
     /// Error of the final poses (m) that the automatic choice of the step aims at.
@@ -27,6 +29,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             model: ModelKind::Auto,
+            policy: Policy::First,
             step: None,
             tolerance: 1e-3,
             recovery_speed: None,
@@ -50,4 +53,15 @@ pub enum ModelKind {
     Moreau,
     /// Song, Pang and Kumar's, equations (14)-(17).
     SongPangKumar,
+}
+
+/// Which of several motions that a step allows is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Policy {
+    /// The one that the solver finds first.
+    #[default]
+    First,
+    /// Of all, the one after which the gaps are largest together: the worst for a part that is to be seated. For one free
+    /// body in the plane, by Stewart and Trinkle's model.
+    Adverse,
 }

@@ -2,10 +2,11 @@
 
 use super::collide::{Outline, distance, dot, sub};
 use super::contact::Contact;
+use super::finger;
 use super::mechanics::{Contacts, Mechanics};
 use super::planar_follow;
 use crate::answer::{ContactName, Feature};
-use crate::model::{Body, Material, Planar, PlanarShape, World};
+use crate::model::{Body, Finger, Material, Planar, PlanarShape, World};
 
 /// Outlines of bodies and obstacles, piece by piece.
 #[derive(Debug)]
@@ -99,6 +100,10 @@ impl Mechanics for Planar {
 
     fn own_wrench(gravity: &[f64; 2], body: &Body<Self>, _: &[f64; 3], _: &[f64; 3]) -> [f64; 3] {
         [body.mass * gravity[0], body.mass * gravity[1], 0.0]
+    }
+
+    fn push(body: &Body<Self>, finger: &Finger, pose: &[f64; 3]) -> Option<[f64; 3]> {
+        finger::push(&body.shape, finger, pose)
     }
 
     fn potential(gravity: &[f64; 2], pose: &[f64; 3]) -> f64 {

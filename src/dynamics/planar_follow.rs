@@ -175,6 +175,7 @@ mod tests {
             velocity: [0.0; 3],
             is_kinematic: false,
             schedule: Vec::new(),
+            finger: None,
         };
         let square = PlanarShape::Polygon(vec![[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]);
         let disc = PlanarShape::Circle { center: [0.1, 0.0], radius: 0.3 };

@@ -1,12 +1,13 @@
 //! A run from start to end: steps, and what is worth keeping of them.
 
+use super::Moment;
 use super::contact::{Contact, dot};
 use super::impulses::SLIPPING;
 use super::judge::{Judge, short};
 use super::mechanics::Mechanics;
 use super::options::Options;
 use super::solved::{Refused, Solved};
-use super::state::State;
+use super::state::{State, applied};
 use super::stepper::Stepper;
 use crate::answer::{
     ContactName, ContactState, Energy, Event, Frame, ModelChoice, Simulation, SolverStatistics, Status, Touch,
@@ -20,7 +21,7 @@ pub(super) fn run<S: Mechanics>(
     options: &Options,
     model: ModelChoice,
     stepper: &mut impl Stepper<S>,
-    watch: &mut dyn FnMut(f64) -> bool,
+    watch: &mut dyn FnMut(Moment<S>) -> bool,
 ) -> Simulation<S> {
     let h = model.step;
     let n_steps = step_count(world.duration, h);
@@ -36,7 +37,8 @@ pub(super) fn run<S: Mechanics>(
     }
     let (mut said_reversal, mut said_together) = (false, false);
     for index in 0..n_steps {
-        if index >= options.max_steps || !watch(state.time) {
+        let moment = Moment { time: state.time, poses: &state.poses, velocities: &state.velocities };
+        if index >= options.max_steps || !watch(moment) {
             status = Status::Partial;
             break;
         }
@@ -291,9 +293,7 @@ fn work<S: Mechanics>(world: &World<S>, before: &State<S>, after: &State<S>, ste
     let mut work = 0.0;
     let poses = before.poses.iter().zip(&after.poses);
     for (body, (from, to)) in world.bodies.iter().zip(poses).filter(|(body, _)| !body.is_kinematic) {
-        if let Some(applied) = body.scheduled(before.time) {
-            work += dot(applied, &S::displacement(from, to));
-        }
+        work += dot(&applied(body, from, before.time), &S::displacement(from, to));
     }
     for (contact, impulse) in stepper.touches() {
         // the velocity of the surface itself: that of the contact may hold terms of the scheme

@@ -4,7 +4,7 @@ use super::contact::Contact;
 use super::mechanics::{Contacts, Mechanics};
 use super::spatial_pairs;
 use super::turning::{conjugate, cross, dot, turned};
-use crate::model::{Body, Spatial, SpatialShape, World};
+use crate::model::{Body, Finger, Spatial, SpatialShape, World};
 
 impl Mechanics for Spatial {
     type Outlines = ();
@@ -71,6 +71,10 @@ impl Mechanics for Spatial {
             cross([lx, ly, lz], [velocity[3], velocity[4], velocity[5]])
         };
         [body.mass * gravity[0], body.mass * gravity[1], body.mass * gravity[2], gx, gy, gz]
+    }
+
+    fn push(_: &Body<Self>, _: &Finger, _: &[f64; 7]) -> Option<[f64; 6]> {
+        None
     }
 
     fn potential(gravity: &[f64; 3], pose: &[f64; 7]) -> f64 {

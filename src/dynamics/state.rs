@@ -2,7 +2,7 @@
 
 use super::contact::{add_scaled, dot};
 use super::mechanics::Mechanics;
-use crate::model::World;
+use crate::model::{Body, World};
 
 /// Poses and velocities at a time.
 #[derive(Debug, PartialEq)]
@@ -38,15 +38,12 @@ impl<S: Mechanics> State<S> {
     pub fn free(&self, world: &World<S>, h: f64, velocities: &mut Vec<S::Velocity>) {
         velocities.clone_from(&self.velocities);
         for ((body, pose), velocity) in world.bodies.iter().zip(&self.poses).zip(velocities) {
-            let scheduled = body.scheduled(self.time);
             if body.is_kinematic {
-                *velocity = *scheduled.unwrap_or(&body.velocity);
+                *velocity = *body.scheduled(self.time).unwrap_or(&body.velocity);
                 continue;
             }
             let mut wrench = S::own_wrench(&world.gravity, body, pose, velocity);
-            if let Some(applied) = scheduled {
-                add_scaled(&mut wrench, 1.0, applied);
-            }
+            add_scaled(&mut wrench, 1.0, &applied(body, pose, self.time));
             add_scaled(velocity, h, &S::weighed(body, pose, &wrench));
         }
     }
@@ -85,4 +82,13 @@ impl<S: Mechanics> State<S> {
         let free = bodies.filter(|((body, _), _)| !body.is_kinematic);
         free.map(|((body, pose), velocity)| 0.5 * dot(velocity, &S::momentum(body, pose, velocity))).sum()
     }
+}
+
+/// The wrench that acts on a free body besides gravity: that of its schedule, and that of a finger.
+pub(super) fn applied<S: Mechanics>(body: &Body<S>, pose: &S::Pose, time: f64) -> S::Velocity {
+    let mut wrench = body.scheduled(time).copied().unwrap_or_default();
+    if let Some(push) = body.finger.and_then(|finger| S::push(body, &finger, pose)) {
+        add_scaled(&mut wrench, 1.0, &push);
+    }
+    wrench
 }

@@ -1,5 +1,6 @@
 //! Stewart and Trinkle's step, equations (10)-(13): semi-implicit, gaps closed at the end of the step.
 
+use super::adverse::{Motion, Problem};
 use super::contact::{Contact, deepest};
 use super::forces::Forces;
 use super::impulses::{FrictionCone, Impulses};
@@ -34,6 +35,10 @@ pub(super) struct StewartTrinkle<'w, S: Mechanics> {
     is_lenient: bool,
     /// A gap up to this counts as touching (m).
     touching: f64,
+    /// Whether of several motions the most adverse one is followed.
+    pub is_adverse: bool,
+    /// The contacts with an impulse under that motion, and these impulses.
+    adverse: Option<Motion<S>>,
 }
 
 impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
@@ -54,18 +59,13 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
             recovery_speed,
             h: 0.0,
             is_lenient: false,
+            is_adverse: false,
+            adverse: None,
         }
     }
 
     /// Solves for the contacts that the free motion closes, then for those too that the answer closes, until none is left.
-    fn press(&mut self, poses: &[S::Pose], h: f64) -> Result<Solved, Refused> {
-        // φ/h of (13), overlaps undone no faster than allowed
-        let recovery_speed = self.recovery_speed;
-        let slight = if self.is_lenient { SLIGHT_OVERLAP * self.touching } else { 0.0 };
-        let gap_speed = |contact: &Contact<S>| match contact.gap {
-            gap if gap < 0.0 && gap > -slight => 0.0,
-            gap => (gap / h).max(-recovery_speed),
-        };
+    fn press(&mut self, poses: &[S::Pose]) -> Result<Solved, Refused> {
         self.velocities.clone_from(&self.free);
         // what was pressed and still touches is likely to be again: the last basis then fits at once
         let (last, touching) = (&self.pressed, self.touching);
@@ -76,10 +76,10 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
         let mut total = Solved::nothing();
         let mut grown = self.is_pressed.contains(&true);
         loop {
-            for (contact, is_pressed) in self.contacts.iter().zip(&mut self.is_pressed) {
-                let closes = || contact.velocity(0, &self.velocities) + gap_speed(contact) < 0.0;
-                if !*is_pressed && closes() {
-                    (*is_pressed, grown) = (true, true);
+            for (index, contact) in self.contacts.iter().enumerate() {
+                let closes = || contact.velocity(0, &self.velocities) + self.gap_speed(contact) < 0.0;
+                if !self.is_pressed[index] && closes() {
+                    (self.is_pressed[index], grown) = (true, true);
                 }
             }
             if !std::mem::take(&mut grown) {
@@ -88,8 +88,7 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
             let pressed = self.contacts.iter().zip(&self.is_pressed).filter(|(_, is_pressed)| **is_pressed);
             self.pressed.clear();
             self.pressed.extend(pressed.map(|(contact, _)| *contact));
-            self.offsets.clear();
-            self.offsets.extend(self.pressed.iter().map(&gap_speed));
+            self.offsets = self.pressed.iter().map(|contact| self.gap_speed(contact)).collect();
             self.velocities.clone_from(&self.free);
             total.add(self.impulses.solve(
                 self.world,
@@ -103,6 +102,45 @@ impl<'w, S: Mechanics> StewartTrinkle<'w, S> {
     }
 }
 
+impl<S: Mechanics> StewartTrinkle<'_, S> {
+    /// Solves with overlaps as they are, or where that is impossible with slight ones as none: a body squeezed by rounding
+    /// in a snug slot has no admissible impulses.
+    fn press_or_be_lenient(&mut self, poses: &[S::Pose]) -> Result<Solved, Refused> {
+        (self.adverse, self.is_lenient) = (None, false);
+        match self.press(poses) {
+            Err(Refused::NoSolution(_)) => {
+                self.is_lenient = true;
+                self.press(poses)
+            }
+            pressed => pressed,
+        }
+    }
+
+    /// Takes the most adverse of all motions that the step allows; `false` if none was found.
+    fn turn_adverse(&mut self, poses: &[S::Pose]) -> bool {
+        self.is_lenient = true;
+        let offsets: Vec<f64> = self.contacts.iter().map(|contact| self.gap_speed(contact)).collect();
+        let problem =
+            Problem { world: self.world, poses, contacts: &self.contacts, offsets: &offsets, free: &self.free };
+        let opening = |motion: &Motion<S>| problem.opening(&motion.velocities);
+        let worst = problem.motions().into_iter().max_by(|a, b| opening(a).total_cmp(&opening(b)));
+        if let Some(worst) = &worst {
+            self.velocities.clone_from(&worst.velocities);
+        }
+        self.adverse = worst;
+        self.adverse.is_some()
+    }
+
+    /// φ/h of (13), overlaps undone no faster than allowed.
+    fn gap_speed(&self, contact: &Contact<S>) -> f64 {
+        let slight = if self.is_lenient { SLIGHT_OVERLAP * self.touching } else { 0.0 };
+        match contact.gap {
+            gap if gap < 0.0 && gap > -slight => 0.0,
+            gap => (gap / self.h).max(-self.recovery_speed),
+        }
+    }
+}
+
 impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     fn step(&mut self, state: &mut State<S>, h: f64) -> Result<Solved, Refused> {
         self.impulses.is_suspect = false;
@@ -111,15 +149,10 @@ impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
         let mut reach = self.nearby.reach(&state.velocities, h).max(self.nearby.reach(&self.free, h));
         loop {
             self.nearby.find(&state.poses, reach, &mut self.contacts);
-            self.is_lenient = false;
-            let solved = match self.press(&state.poses, h) {
-                // a body squeezed by rounding in a snug slot has no admissible impulses; one squeezed by more has none
-                // that matter
-                Err(Refused::NoSolution(_)) => {
-                    self.is_lenient = true;
-                    self.press(&state.poses, h)?
-                }
-                pressed => pressed?,
+            let solved = if self.is_adverse && self.turn_adverse(&state.poses) {
+                Solved { problems: 1, closed: 1, ..Solved::nothing() }
+            } else {
+                self.press_or_be_lenient(&state.poses)?
             };
             // impulses may have made a body faster than the reach of the contacts allows for
             let needed = self.nearby.reach(&self.velocities, h);
@@ -133,7 +166,11 @@ impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     }
 
     fn touches(&self) -> impl Iterator<Item = (&Contact<S>, [f64; 3])> {
-        self.pressed.iter().zip(self.impulses.answer.iter().copied())
+        let (contacts, impulses) = match &self.adverse {
+            Some(motion) => (&self.contacts, &motion.impulses),
+            None => (&self.pressed, &self.impulses.answer),
+        };
+        contacts.iter().zip(impulses.iter().copied())
     }
 
     fn deepest(&self) -> f64 {
@@ -141,6 +178,9 @@ impl<S: Mechanics> Stepper<S> for StewartTrinkle<'_, S> {
     }
 
     fn forces(&self, world: &World<S>, state: &State<S>) -> Option<Forces> {
+        if self.adverse.is_some() {
+            return None;
+        }
         self.impulses.forces(world, &state.poses, &self.pressed, self.h)
     }
 

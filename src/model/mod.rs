@@ -2,6 +2,7 @@
 
 mod conveyor;
 mod fixture;
+mod given;
 mod orientation;
 mod part;
 mod scene;
@@ -9,10 +10,11 @@ mod thrower;
 
 pub use conveyor::Conveyor;
 pub use fixture::{Fixel, Fixture, Friction, Place, Range};
+pub use given::GivenPush;
 pub use orientation::{tangents, turned};
 pub use part::{LengthUnit, Part, Shape};
 pub use scene::{
-    Body, Compliance, Entries, Material, Obstacle, Planar, PlanarShape, Restitution, Scene, Space, Spatial,
+    Body, Compliance, Entries, Finger, Material, Obstacle, Planar, PlanarShape, Restitution, Scene, Space, Spatial,
     SpatialShape, Timed, World,
 };
 pub use thrower::Thrower;

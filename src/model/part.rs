@@ -69,6 +69,17 @@ pub enum LengthUnit {
 }
 
 impl LengthUnit {
+    /// Metres to the unit.
+    #[must_use]
+    pub fn metres(self) -> Q {
+        let parts = match self {
+            Self::Metre => 1,
+            Self::Centimetre => 100,
+            Self::Millimetre => 1000,
+        };
+        Q::new(1.into(), parts.into())
+    }
+
     /// The symbol as case files write it.
     #[must_use]
     pub fn symbol(self) -> &'static str {

@@ -107,6 +107,8 @@ pub struct Body<S: Space> {
     pub is_kinematic: bool,
     /// Wrench on a free body, or velocity of a kinematic one, each from its time on; by time.
     pub schedule: Vec<Timed<S>>,
+    /// A finger that presses on it; in the plane only.
+    pub finger: Option<Finger>,
 }
 
 impl<S: Space> Body<S> {
@@ -124,6 +126,22 @@ pub struct Timed<S: Space> {
     pub time: f64,
     /// Wrench (N, N m) in world axes at the center of mass, or velocity.
     pub value: S::Velocity,
+}
+
+/// A frictionless fingertip on a straight guide, pressed along it by a steady force.
+///
+/// It touches a polygon where the guide meets one of its edges, a disc where the guide enters it, and does nothing where
+/// the guide misses them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finger {
+    /// Edge of the body that it presses on; `None` for a disc.
+    pub edge: Option<usize>,
+    /// A point of the guide (m, world).
+    pub at: [f64; 2],
+    /// Unit direction of the guide, the way that the finger presses (world).
+    pub direction: [f64; 2],
+    /// Force along the guide (N), not negative: the push is this over the cosine between guide and inward normal.
+    pub force: f64,
 }
 
 /// Something fixed that bodies touch.

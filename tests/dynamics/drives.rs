@@ -28,6 +28,7 @@ fn body(name: &str, shape: PlanarShape, pose: [f64; 3]) -> Body<Planar> {
         velocity: [0.0; 3],
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     }
 }
 

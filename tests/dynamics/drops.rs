@@ -66,5 +66,6 @@ fn placed(index: usize, (shape, mass, [x, y, angle], velocity): Part) -> Body<Pl
         velocity,
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     }
 }

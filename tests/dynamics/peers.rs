@@ -80,6 +80,7 @@ pub fn sphere() -> World<Spatial> {
             velocity: [v[0], v[1], v[2], w[0], w[1], w[2]],
             is_kinematic: false,
             schedule: Vec::new(),
+            finger: None,
         }],
         fixed: vec![Obstacle {
             name: "plane".into(),
@@ -164,6 +165,7 @@ fn planar_body(index: usize, body: &Value) -> Body<Planar> {
         velocity: [velocity[0], velocity[1], number(&body["om_planar"])],
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     }
 }
 

@@ -227,6 +227,7 @@ fn slide(speed: f64, friction: f64, duration: f64) -> World<Planar> {
         velocity: [speed, 0.0, 0.0],
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     };
     world(vec![block], vec![half_plane("floor", [0.0, 0.0], [0.0, 1.0])], friction, duration)
 }
@@ -265,6 +266,7 @@ fn tumble() -> World<Planar> {
         velocity: [0.3, 0.0, 2.0],
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     });
     let fixed = vec![
         half_plane("floor", [0.0, 0.0], [0.0, 1.0]),

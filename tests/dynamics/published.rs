@@ -127,6 +127,7 @@ fn planar_body(index: usize, body: &Value) -> Body<Planar> {
         velocity: numbers(&body["v"]),
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     }
 }
 
@@ -171,6 +172,7 @@ fn spatial(value: &Value, material: Material) -> World<Spatial> {
             velocity: [v[0], v[1], v[2], omega[0], omega[1], omega[2]],
             is_kinematic: false,
             schedule: Vec::new(),
+            finger: None,
         }],
         fixed,
     }

@@ -261,6 +261,7 @@ fn a_planar_scene_in_space_moves_as_in_the_plane() {
             velocity: [0.1, 0.0, 0.0],
             is_kinematic: false,
             schedule: Vec::new(),
+            finger: None,
         }],
         fixed: vec![
             Obstacle { name: "bar".into(), shape: PlanarShape::Polygon(bar.into()), surface_velocity: [0.0; 2] },

@@ -42,6 +42,7 @@ fn body(name: &str, shape: SpatialShape, inertia: [f64; 3], pose: [f64; 7]) -> B
         velocity: [0.0; 6],
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     }
 }
 

@@ -16,6 +16,7 @@ fn box_world(half: [f64; 3], pose: [f64; 7], velocity: [f64; 6]) -> World<Spatia
         velocity,
         is_kinematic: false,
         schedule: Vec::new(),
+        finger: None,
     };
     let floor = SpatialShape::HalfSpace { point: [0.0; 3], normal: [0.0, 0.0, 1.0] };
     World {

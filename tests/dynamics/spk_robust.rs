@@ -17,7 +17,17 @@ pub fn rectangle(half: [f64; 2]) -> PlanarShape {
 
 pub fn body(shape: PlanarShape, mass: f64, inertia: f64, pose: [f64; 3], velocity: [f64; 3]) -> Body<Planar> {
     let name = "part".into();
-    Body { name, shape, mass, inertia: [inertia], pose, velocity, is_kinematic: false, schedule: Vec::new() }
+    Body {
+        name,
+        shape,
+        mass,
+        inertia: [inertia],
+        pose,
+        velocity,
+        is_kinematic: false,
+        schedule: Vec::new(),
+        finger: None,
+    }
 }
 
 pub fn world(bodies: Vec<Body<Planar>>, floor: PlanarShape, material: Material, duration: f64) -> World<Planar> {

@@ -9,7 +9,8 @@ use partplan::mechanics::Mode;
 use partplan::planner::{Question, mode_cones, stability};
 use proptest::prelude::*;
 
-fn ours((part, fixture): &Setup, modes: &[String], strict_s: bool) -> Vec<Cone> {
+/// The planner's cones of `modes`.
+pub fn ours((part, fixture): &Setup, modes: &[String], strict_s: bool) -> Vec<Cone> {
     let modes: Vec<Mode> = modes.iter().map(|mode| mode.parse().expect("letters")).collect();
     let question = Question { modes, strict_s, ..Question::default() };
     mode_cones(part, fixture, &question).expect("one letter per fixel").into_iter().map(|(_, cone)| cone).collect()

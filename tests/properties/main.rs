@@ -1,5 +1,6 @@
 //! What must hold for every fixture, judged by oracles that share no code with the planner.
 
+mod complementarity;
 mod cones;
 mod invariance;
 mod places;

@@ -204,6 +204,66 @@ pub fn any_setup(fixels: std::ops::RangeInclusive<usize>) -> impl Strategy<Value
     prop_oneof![4 => polygons(fixels.clone(), any_friction()), 1 => discs(fixels, any_friction())]
 }
 
+/// How a contact lies with regard to the first one.
+#[derive(Debug, Clone, Copy)]
+enum Lie {
+    Free,
+    /// Its normal is the first one times a factor.
+    Parallel,
+    /// So it is, and both are on one line.
+    InLine,
+    /// So it is, at one point.
+    Repeated,
+    /// At one point.
+    Corner,
+    /// Its line passes through a point of the first normal's line, the same for all.
+    Concurrent,
+}
+
+/// Contacts anywhere on a part of any outline, with one coefficient each: parallel, concurrent, opposed, repeated and
+/// frictionless ones often.
+pub fn loose(contacts: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Setup> {
+    let point = || {
+        let coordinate = (-4..=4_i64, select(vec![1_i64, 1, 2, 3])).prop_map(|(p, q)| ratio(p, q));
+        [coordinate.clone(), coordinate]
+    };
+    let normal = [-3..=3_i64, -3..=3_i64].prop_filter("a normal has a direction", |normal| normal != &[0, 0]);
+    let lie = prop_oneof![
+        5 => Just(Lie::Free),
+        1 => Just(Lie::Parallel),
+        1 => Just(Lie::InLine),
+        1 => Just(Lie::Repeated),
+        1 => Just(Lie::Corner),
+        2 => Just(Lie::Concurrent),
+    ];
+    let factor = select(vec![(1, 1), (2, 1), (1, 3), (-1, 1), (-3, 2)]).prop_map(|(p, q)| ratio(p, q));
+    let contact = (point(), normal.prop_map(|normal| normal.map(int)), lie, factor, coefficient());
+    let inertia = (1..=6_i64, 1..=4_i64, 1..=12_i64, 1..=4_i64).prop_map(|(p, q, r, s)| (ratio(p, q), ratio(r, s)));
+    (point(), inertia, prop::bool::weighted(0.1), vec(contact, contacts)).prop_map(
+        |(center, inertia, smooth, drawn)| {
+            let beyond = |from: &[Q; 2], along: &[Q; 2], by: &Q| [0, 1].map(|i| &from[i] + by * &along[i]);
+            let (start, first) = (drawn[0].0.clone(), drawn[0].1.clone());
+            let meet = beyond(&start, &first, &Q::one());
+            let fixels = drawn.into_iter().enumerate().map(|(index, (free, own, lie, factor, mu))| {
+                let along_first = first.each_ref().map(|entry| entry * &factor);
+                let (point, normal) = match lie {
+                    _ if index == 0 => (free, own),
+                    Lie::Free => (free, own),
+                    Lie::Parallel => (free, along_first),
+                    Lie::InLine => (beyond(&meet, &first, &factor), along_first),
+                    Lie::Repeated => (start.clone(), along_first),
+                    Lie::Corner => (start.clone(), own),
+                    Lie::Concurrent => (beyond(&meet, &own, &factor), own),
+                };
+                let mu = Range::exactly(if smooth { Q::zero() } else { mu });
+                Fixel { place: Place::Arc, point, normal, friction: Friction { static_: mu.clone(), kinetic: mu } }
+            });
+            let fixture = Fixture { fixels: fixels.collect() };
+            (part(Shape::Circle { center: center.clone(), radius: Q::one() }, center, inertia), fixture)
+        },
+    )
+}
+
 /// Three fixels of little friction that seat a rectangle or a pawl for many wrenches.
 pub fn seatable() -> impl Strategy<Value = Setup> {
     let rectangle = polygon(&[(0, 0), (6, 0), (6, 4), (0, 4)]);
@@ -300,7 +360,8 @@ fn pick_of(letters: &str, pick: usize) -> char {
     letters.chars().nth(pick % letters.len()).expect("the pick is below the length")
 }
 
-fn perpendicular(a: &Wrench, b: &Wrench) -> Wrench {
+/// `a x b` in space.
+pub fn perpendicular(a: &Wrench, b: &Wrench) -> Wrench {
     [0, 1, 2].map(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         &a[j] * &b[k] - &a[k] * &b[j]

@@ -9,7 +9,7 @@ use super::double::Bound;
 use super::material::Settings;
 use super::shape::{Dimension, Role, Solid};
 use crate::exact::from_float_exact;
-use crate::model::{Body, Obstacle, Space, Timed};
+use crate::model::{Body, Finger, Obstacle, Space, Timed};
 use jsonc_parser::ast::Value;
 use std::ops::Range;
 
@@ -95,6 +95,7 @@ impl Reader {
             "kinematic",
             "motion",
             "wrench",
+            "finger",
             "friction",
             "restitution",
             "contact",
@@ -112,6 +113,7 @@ impl Reader {
         let mass = self.mass(&fields, path, is_kinematic);
         let inertia = self.moments::<S>(&fields, path, &name, mass, solid.as_ref(), is_kinematic);
         let schedule = self.schedules::<S>(&fields, path, is_kinematic, velocity.flatten());
+        let finger = self.pressing(&fields, path, solid.as_ref(), is_kinematic);
         let thing = (|| {
             let velocity = match schedule.as_deref() {
                 // a kinematic body starts as it is told to move
@@ -127,6 +129,7 @@ impl Reader {
                 velocity,
                 is_kinematic: is_kinematic?,
                 schedule: schedule?,
+                finger: finger?,
             })
         })();
         let is_free = is_kinematic != Some(true);
@@ -229,6 +232,24 @@ impl Reader {
             *moment = mass? * gyration2;
         }
         Some(moments)
+    }
+
+    /// The finger on a free body; `None` after a fault.
+    fn pressing<S: Dimension>(
+        &mut self,
+        fields: &Fields,
+        path: &Path,
+        solid: Option<&Solid<S>>,
+        is_kinematic: Option<bool>,
+    ) -> Option<Option<Finger>> {
+        let Some(value) = fields.get("finger") else {
+            return Some(None);
+        };
+        if is_kinematic? {
+            self.wrong_motion(fields, "finger", "free", path, "a kinematic body moves as told, whatever acts on it");
+            return None;
+        }
+        S::finger(self, value, &path.key("finger"), solid.map(|solid| &solid.shape)).map(Some)
     }
 
     /// Wrenches on a free body, velocities of a kinematic one.

@@ -2,6 +2,7 @@
 
 mod body;
 mod double;
+mod finger;
 mod material;
 mod planar;
 mod resolve;

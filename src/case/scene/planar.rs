@@ -7,7 +7,7 @@ use super::double::{Bound, rounded};
 use super::shape::{Dimension, Role, Solid};
 use crate::exact::{Q, from_float_exact, to_f64};
 use crate::geometry::{Moments, Polygon};
-use crate::model::{Planar, PlanarShape};
+use crate::model::{Finger, Planar, PlanarShape};
 use jsonc_parser::ast::Value;
 use num_traits::Zero as _;
 use std::f64::consts::PI;
@@ -59,6 +59,10 @@ impl Dimension for Planar {
 
     fn inertia(reader: &mut Reader, value: &Value, path: &Path) -> Option<[f64; 1]> {
         reader.double(value, path, "inertia", Bound::Positive).map(|inertia| [inertia])
+    }
+
+    fn finger(reader: &mut Reader, value: &Value, path: &Path, shape: Option<&PlanarShape>) -> Option<Finger> {
+        reader.finger(value, path, shape)
     }
 
     fn surface_velocity(reader: &mut Reader, value: &Value, path: &Path) -> Option<[f64; 2]> {

@@ -3,7 +3,7 @@
 use super::super::Limits;
 use super::super::kind::FaultKind;
 use super::super::reader::{Fields, Path, Reader};
-use crate::model::Space;
+use crate::model::{Finger, Space};
 use jsonc_parser::ast::Value;
 
 /// Whether a shape moves.
@@ -46,6 +46,9 @@ pub trait Dimension: Space {
 
     /// Moments of inertia as written.
     fn inertia(reader: &mut Reader, value: &Value, path: &Path) -> Option<Self::Inertia>;
+
+    /// A finger that presses on a body of this shape; `None` after a fault.
+    fn finger(reader: &mut Reader, value: &Value, path: &Path, shape: Option<&Self::Shape>) -> Option<Finger>;
 
     /// Velocity of a surface along its tangents.
     fn surface_velocity(reader: &mut Reader, value: &Value, path: &Path) -> Option<[f64; 2]>;

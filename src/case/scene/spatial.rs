@@ -5,7 +5,7 @@ use super::super::kind::FaultKind;
 use super::super::reader::{Path, Reader, span_of};
 use super::double::{Bound, normalized};
 use super::shape::{Dimension, Role, Solid};
-use crate::model::{Spatial, SpatialShape};
+use crate::model::{Finger, Spatial, SpatialShape};
 use jsonc_parser::ast::Value;
 
 const BODY_HELP: &str = r#"write {"sphere": {"radius": 0.05}} or {"box": {"half": [0.1, 0.05, 0.02]}}"#;
@@ -73,6 +73,12 @@ impl Dimension for Spatial {
             reader.warnings.push(said);
         }
         Some(moments)
+    }
+
+    fn finger(reader: &mut Reader, value: &Value, path: &Path, _: Option<&SpatialShape>) -> Option<Finger> {
+        let kind = FaultKind::WrongMotion { key: "finger", what: "planar" };
+        reader.fault(kind, span_of(value), path, "push it by a wrench");
+        None
     }
 
     fn surface_velocity(reader: &mut Reader, value: &Value, path: &Path) -> Option<[f64; 2]> {

@@ -66,6 +66,7 @@ fn stepped(mass: f64, compliance: Compliance, h: f64, second_order: bool) -> f64
             velocity: [0.0, -1.0, 0.0],
             is_kinematic: false,
             schedule: Vec::new(),
+            finger: None,
         }],
         fixed: vec![Obstacle {
             name: String::new(),

@@ -22,6 +22,11 @@ pub enum SimulationError {
         /// A body after it, or the number of bodies plus that of an obstacle.
         other: usize,
     },
+    /// The adverse policy is asked for, and the scene or the model is not of the kind that it is known for.
+    #[error(
+        "only one free body in the plane without restitution has its most adverse motion found, stepped by Stewart and Trinkle's model"
+    )]
+    Adverse,
     /// Stiffness not positive, damping or gamma negative, or one of them not finite.
     #[error("the compliance between bodies {body} and {other} is no stiffness above 0, no damping or gamma from 0")]
     Compliance {
