@@ -4,11 +4,11 @@
 //! describes bodies; a time-stepper answers in doubles, verified step by step, how they move.
 //!
 //! ```text
-//! text -> case -> model -> planner ------> answer -> report -> text
-//!                   |        |                |
-//!                geometry  mechanics       dynamics
-//!                   |        |                |
-//!                 exact    cone         complementarity
+//! text -> case -> model -> planner -> answer -> verify -> report -> text
+//!                   |        |                     |
+//!                geometry  mechanics            dynamics
+//!                   |        |                     |
+//!                 exact    cone              complementarity
 //! ```
 //!
 //! Data flows one way. Floats occur in the time-steppers, where pictures are drawn and where a function says so in its
@@ -25,3 +25,4 @@ pub mod mechanics;
 pub mod model;
 pub mod planner;
 pub mod report;
+pub mod verify;

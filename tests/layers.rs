@@ -14,6 +14,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("mechanics", &["exact", "cone", "geometry", "model"]),
     ("answer", &["exact", "model"]),
     ("dynamics", &["answer", "complementarity", "exact", "geometry", "model"]),
+    ("verify", &["answer", "complementarity", "dynamics", "exact", "geometry", "model"]),
     ("planner", &["answer", "cone", "exact", "geometry", "mechanics", "model"]),
     ("case", &["exact", "geometry", "model"]),
     ("report", &["answer", "exact", "geometry", "model"]),

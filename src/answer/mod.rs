@@ -9,6 +9,7 @@ mod region;
 mod simulation;
 mod suggest;
 mod throw;
+mod verification;
 mod witness;
 
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
@@ -29,4 +30,5 @@ pub use throw::{
     EndedOrbit, Fate, GraspEdge, Hybrid, LimitSet, LimitSets, Piece, Pose, ProofLimit, Reach, Sensor, SensorWindow,
     Setting, SettingKind, Slide, SurdRatio, Throw, ThrowQuery,
 };
+pub use verification::{Quantity, Refutation, Replay, Tally, Verdict, Verification};
 pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

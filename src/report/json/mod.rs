@@ -5,19 +5,23 @@ mod layout;
 mod number;
 mod pins;
 mod polyhedron;
+mod scene;
 mod sets;
 mod simulation;
 mod suggest;
 mod surd;
 mod throw;
+mod verification;
 mod witness;
 
 pub use layout::document;
 pub use pins::{PINS, pins, undecided_pins};
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};
+pub use scene::scene;
 pub use simulation::{SIMULATE, simulation};
 pub use suggest::{SUGGEST, suggestion};
 pub use throw::{THROW, throw};
+pub use verification::{VERIFY, verification, verified, verified_alone};
 
 use super::Subject;
 use crate::answer::{Action, Cone, EmptyReason, Insertion, Limit, Recommendation, Robust, Stability, WrenchVerdict};

@@ -38,7 +38,6 @@ pub fn throw(toss: &Toss, answer: &Throw) -> Value {
     insert("carries", answer.carries.iter().map(carry).collect());
     insert("design", answer.design.as_ref().map_or(Value::Null, design));
     insert("stopped", json!(answer.is_stopped));
-    insert("verification", Value::Null);
     envelope_of(toss.name, toss.part, THROW, answer.status(), result)
 }
 

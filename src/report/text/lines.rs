@@ -19,6 +19,11 @@ impl Report {
         Self { text: format!("{answer}\n") }
     }
 
+    /// Lines without an answer of their own.
+    pub(super) fn lines() -> Self {
+        Self { text: String::new() }
+    }
+
     pub(super) fn line(&mut self, label: &str, value: &str) {
         self.text.push_str(&format!("  {label:<11} {value}\n"));
     }

@@ -11,6 +11,7 @@ mod simulation;
 mod stable;
 mod suggest;
 mod throw;
+mod verification;
 mod witness;
 
 pub use cone::{cones, judged_cones};
@@ -21,3 +22,4 @@ pub use simulation::simulation;
 pub use stable::stability;
 pub use suggest::suggestion;
 pub use throw::throw;
+pub use verification::{verification, verified};
