@@ -72,6 +72,15 @@ pub enum Failure {
     /// A drawing cannot be written.
     #[error("error: cannot write {}: {source}", path.display())]
     Picture { path: PathBuf, source: io::Error },
+    /// There is nothing to put to the test.
+    #[error("error: {name} has no plan to verify; its command tells why, and \"plan\" in its section may give one")]
+    NoPlan { name: String },
+    /// The file with what many runs came to is not theirs, or not whole.
+    #[error("error: {} cannot be gone on from: {why}; give --state another file", path.display())]
+    State { path: PathBuf, why: String },
+    /// Threads cannot be started.
+    #[error("error: cannot start so many jobs: {0}; write a smaller number for --jobs")]
+    Threads(String),
     /// Standard output cannot be written.
     #[error("error: cannot write the answer: {0}")]
     Write(#[from] io::Error),

@@ -57,6 +57,11 @@ pub fn fixtured(args: &Fixtured) -> Result<Task<Fixture>, Failure> {
     task(&args.common, &args.case_limits(), Section::Insert, |case| case.fixture.take())
 }
 
+/// The same for a command that has none of the other arguments on fixtures.
+pub fn seated(common: &Common) -> Result<Task<Fixture>, Failure> {
+    task(common, &common.case_limits(), Section::Insert, |case| case.fixture.take())
+}
+
 /// Reads a case with a `pins` section.
 pub fn conveyed(common: &Common) -> Result<Task<Conveyor>, Failure> {
     task(common, &common.case_limits(), Section::Pins, |case| case.conveyor.take())

@@ -1,7 +1,12 @@
 //! `plan insert`: which pushes and tilts are guaranteed to seat the part.
 
 use super::common::{Fixtured, Shown};
+use super::input::Task;
+use super::verified::{Verified, judged};
 use super::{Failure, Outcome, input, limit, output, suggest};
+use partplan::answer::{Insertion, Verification};
+use partplan::model::Fixture;
+use partplan::verify::{InsertTrials, Push};
 use partplan::{planner, report};
 use std::io::Write;
 
@@ -25,14 +30,15 @@ pub struct Args {
     #[arg(conflicts_with_all = ["wrenches", "modes", "strict_s", "cells"])]
     suggest: Option<u16>,
 
-    /// Skip the dynamic verification, which this version does not have yet
-    #[arg(long)]
-    no_verify: bool,
+    #[command(flatten)]
+    verified: Verified,
 }
+
+/// Rounds of all unseated contact states by which a plan is verified unless it is told otherwise.
+const ROUNDS: u64 = 4;
 
 /// Plans an insertion.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let _ = args.no_verify;
     let task = input::fixtured(&args.fixtured)?;
     if let Some(count) = args.suggest {
         return suggest::run(&task, &args.fixtured.common, count.into(), args.shown.svg.as_deref(), out);
@@ -46,11 +52,32 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     if let Some(path) = &args.shown.svg {
         output::picture(path, &report::svg::insertion(&subject, &found))?;
     }
+    let verification = verify(args, &task, &found)?;
+    let said = |found: &Verification| report::text::verification(task.case.part.unit, found);
     output::answer(
         out,
         args.fixtured.common.format,
-        || report::text::insertion(&subject, &found),
-        || report::json::insertion(&subject, &found, args.shown.cells),
+        || report::text::insertion(&subject, &found) + &verification.as_ref().map_or_else(String::new, said),
+        || {
+            let document = report::json::insertion(&subject, &found, args.shown.cells);
+            report::json::verified(document, verification.as_ref())
+        },
     )?;
-    Ok(if found.acyclic.is_empty() { Outcome::No } else { Outcome::Yes })
+    let outcome = if found.acyclic.is_empty() { Outcome::No } else { Outcome::Yes };
+    Ok(judged(outcome, verification.as_ref()))
+}
+
+/// Puts the plan of the case, or else the one found, to the test.
+fn verify(args: &Args, task: &Task<Fixture>, found: &Insertion) -> Result<Option<Verification>, Failure> {
+    let (part, fixture) = (&task.case.part, &task.section);
+    let given = task.case.given_push.as_ref().map(|given| Push::given(part, given));
+    let Some(push) = given.or_else(|| found.plan.as_ref().map(|plan| Push::recommended(part, plan))) else {
+        return Ok(None);
+    };
+    let trials = InsertTrials::new(part, fixture, push, 0, None);
+    let trials = if task.case.given_push.is_some() { trials.given() } else { trials };
+    let runs = ROUNDS * trials.n_states();
+    args.verified.test(&args.fixtured.common, task.subject().name, runs, &trials, |trials, watch| {
+        trials.farthest(runs, watch).into_iter().collect()
+    })
 }

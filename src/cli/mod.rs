@@ -12,10 +12,13 @@ mod pins;
 mod progress;
 mod simulate;
 mod stable;
+mod state;
 mod stop;
 mod suggest;
 mod sweep;
 mod throw;
+mod verified;
+mod verify;
 
 pub use failure::{Failure, Outcome, end};
 
@@ -44,6 +47,7 @@ enum Command {
     Pins(pins::Args),
     Throw(Box<throw::Args>),
     Simulate(simulate::Args),
+    Verify(verify::Args),
     Convert(convert::Args),
 }
 
@@ -60,6 +64,7 @@ impl Cli {
             Command::Pins(args) => pins::run(args, out),
             Command::Throw(args) => throw::run(args, out),
             Command::Simulate(args) => simulate::run(args, out),
+            Command::Verify(args) => verify::run(args, out),
             Command::Convert(args) => convert::run(args, out),
         }
     }

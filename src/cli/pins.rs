@@ -1,11 +1,16 @@
 //! `plan pins`: pins over a conveyor that turn a part into one orientation.
 
 use super::common::Common;
+use super::input::Task;
+use super::verified::{Verified, judged};
 use super::{Failure, Outcome, input, limit, output};
 use num_traits::Signed as _;
-use partplan::exact::{LiteralError, Q, parse_literal};
+use partplan::answer::{Pins, Verification};
+use partplan::exact::{LiteralError, Q, parse_literal, to_f64};
+use partplan::model::Conveyor;
 use partplan::planner::{self, PinQuestion};
 use partplan::report;
+use partplan::verify::PinTrials;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -43,14 +48,21 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 
-    /// Skip the dynamic verification, which this version does not have yet
-    #[arg(long)]
-    no_verify: bool,
+    #[command(flatten)]
+    verified: Verified,
+
+    /// Let the belt of the dynamic verification move at this speed, in the length unit of the case a second
+    ///
+    /// Without it the belt is so slow that parts move quasi-statically, as the plan assumes.
+    #[arg(long, value_name = "V", value_parser = height, conflicts_with = "no_verify")]
+    belt_speed: Option<Q>,
 }
+
+/// Rounds of all orientations by which a plan is verified unless it is told otherwise.
+const ROUNDS: u64 = 4;
 
 /// Plans pins.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let _ = args.no_verify;
     let (common, task) = (&args.common, input::conveyed(&args.common)?);
     let ride = task.ride(args.end, args.max_pins);
     let (part, conveyor, question) = (task.case.part.clone(), task.section.clone(), args.question());
@@ -64,12 +76,33 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     if let Some(path) = &args.svg {
         output::picture(path, &report::svg::pins(&ride, &found))?;
     }
-    output::answer(out, common.format, || report::text::pins(&ride, &found), || report::json::pins(&ride, &found))?;
-    Ok(match (&found.plan.sequence, found.plan.is_decided()) {
+    let verification = verify(args, &task, ride.name, &found)?;
+    let said = |found: &Verification| report::text::verification(task.case.part.unit, found);
+    output::answer(
+        out,
+        common.format,
+        || report::text::pins(&ride, &found) + &verification.as_ref().map_or_else(String::new, said),
+        || report::json::verified(report::json::pins(&ride, &found), verification.as_ref()),
+    )?;
+    let outcome = match (&found.plan.sequence, found.plan.is_decided()) {
         (Some(_), _) => Outcome::Yes,
         (None, true) => Outcome::No,
         (None, false) => Outcome::Undecided,
-    })
+    };
+    Ok(judged(outcome, verification.as_ref()))
+}
+
+/// Puts the pins of the case, or else those found, to the test.
+fn verify(args: &Args, task: &Task<Conveyor>, name: &str, found: &Pins) -> Result<Option<Verification>, Failure> {
+    let (part, given) = (&task.case.part, &task.case.given_pins);
+    let Some(mut trials) = PinTrials::new(part, &task.section, found, given, 0) else {
+        return Ok(None);
+    };
+    if let Some(speed) = &args.belt_speed {
+        trials = trials.at_speed(to_f64(&(speed * part.unit.metres())));
+    }
+    let runs = ROUNDS * trials.n_orientations();
+    args.verified.test(&args.common, name, runs, &trials, |trials, watch| trials.fastest(watch).into_iter().collect())
 }
 
 impl Args {

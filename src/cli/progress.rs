@@ -35,6 +35,11 @@ impl Bar {
         self.set(stage, progress.done, progress.of);
     }
 
+    /// Shows how many runs have ended.
+    pub fn show_runs(&self, done: u64, of: u64) {
+        self.set("verifying", usize::try_from(done).unwrap_or(usize::MAX), usize::try_from(of).unwrap_or(usize::MAX));
+    }
+
     fn set(&self, stage: &'static str, done: usize, of: usize) {
         if self.0.message() != stage {
             self.0.set_message(stage);

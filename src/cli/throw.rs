@@ -1,15 +1,19 @@
 //! `plan throw`: throws from an arm that bring a part into one motion pattern.
 
 use super::common::{Common, count_within};
+use super::input::Task;
 use super::progress::Bar;
 use super::stop::{Reason, Stop};
 use super::sweep::{self, Controls};
+use super::verified::{Verified, judged};
 use super::{Failure, Outcome, input, output};
+use partplan::answer::{Throw, Verification};
 use partplan::exact::{LiteralError, Q, parse_literal};
 use partplan::mechanics::throwing::Settling;
 use partplan::model::Thrower;
 use partplan::planner::{self, CarryQuestion, ThrowQuestion};
 use partplan::report;
+use partplan::verify::ThrowTrials;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -73,10 +77,12 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
 
-    /// Skip the dynamic verification, which this version does not have yet
-    #[arg(long)]
-    no_verify: bool,
+    #[command(flatten)]
+    verified: Verified,
 }
+
+/// Throws of the pattern by which it is verified unless it is told otherwise.
+const THROWS: u64 = 40;
 
 /// When a part that rolls is at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -89,7 +95,6 @@ enum Settle {
 
 /// Plans throws; what is found when a limit is reached is still told.
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
-    let _ = args.no_verify;
     let task = input::thrown(&args.common)?;
     let question = args.question(&task.section);
     let (bar, mut stop) = (Bar::new(), Stop::new(args.common.limits));
@@ -109,14 +114,29 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome, Failure> {
     if let Some(path) = &args.html {
         output::picture(path, &report::html::throw(&toss, &found))?;
     }
-    let text = || report::text::throw(&toss, &found);
-    output::answer(out, args.common.format, text, || report::json::throw(&toss, &found))?;
+    let verification = if stop.reason().is_some() { None } else { verify(args, &task, toss.name, &found)? };
+    let said = |found: &Verification| report::text::verification(task.case.part.unit, found);
+    output::answer(
+        out,
+        args.common.format,
+        || report::text::throw(&toss, &found) + &verification.as_ref().map_or_else(String::new, said),
+        || report::json::verified(report::json::throw(&toss, &found), verification.as_ref()),
+    )?;
     Ok(match (stop.reason(), found.status()) {
         (Some(Reason::Interrupt), _) => Outcome::Interrupted,
-        (_, "plan") => Outcome::Yes,
+        (_, "plan") => judged(Outcome::Yes, verification.as_ref()),
         (_, "no-plan") => Outcome::No,
         _ => Outcome::Undecided,
     })
+}
+
+/// Replays the pattern on surfaces of finite friction and restitution.
+fn verify(args: &Args, task: &Task<Thrower>, name: &str, found: &Throw) -> Result<Option<Verification>, Failure> {
+    let Some(trials) = ThrowTrials::new(&task.case.part, &task.section, found, None, 0) else {
+        return Ok(None);
+    };
+    let runs = THROWS.min(trials.n_throws());
+    args.verified.test(&args.common, name, runs, &trials, |trials, watch| trials.kept(runs, watch))
 }
 
 impl Args {
