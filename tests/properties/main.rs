@@ -8,3 +8,4 @@ mod sets;
 #[path = "../support/mod.rs"]
 mod support;
 mod transitions;
+mod verification;
