@@ -211,3 +211,30 @@ proptest! {
         prop_assert_eq!(world.gravity[0].to_bits(), text.parse::<f64>().unwrap().to_bits());
     }
 }
+
+/// A scene that is written is read back to the last digit.
+#[test]
+fn scenes_are_written_as_they_are_read() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+    let mut written = 0;
+    for folder in [folder.join("stability"), folder] {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let text = if path.is_file() { std::fs::read_to_string(&path).unwrap() } else { String::new() };
+            let Ok(SceneCase { scene: Scene::Planar(world), .. }) = read_scene(text.as_bytes(), &Limits::default()) else {
+                continue;
+            };
+            let again = partplan::report::json::document(&partplan::report::json::scene("again", &world));
+            assert_eq!(planar(&again), world, "{}", path.display());
+            written += 1;
+        }
+    }
+    assert!(written > 15, "{written}");
+    let driven = r#"{"scene": {"duration": 1, "friction": 0.2, "bodies": [
+        {"name": "pusher", "shape": {"circle": {"radius": 0.5}}, "pose": [5, 0, 0], "kinematic": true,
+         "motion": [{"from": 0, "velocity": [-1, 0, 0]}, {"from": 0.5, "velocity": [0, 0, 0]}]},
+        {"name": "peg", "mass": 1, "inertia": 1, "pose": [0, 0, 0], "restitution": {"poisson": 0.5},
+         "shape": {"compound": [{"circle": {"radius": 1}}, {"polygon": [[0, 0], [1, 0], [0, 1]]}]}}]}}"#;
+    let world = planar(driven);
+    assert_eq!(planar(&partplan::report::json::scene("again", &world).to_string()), world);
+}

@@ -7,6 +7,9 @@ use std::ops::Range;
 /// Most refuting runs that are shrunk and kept.
 const MAX_REFUTATIONS: usize = 8;
 
+/// Length of a refuting scene over the time after which it is known to fail.
+const AFTERWARDS: f64 = 1.05;
+
 /// Halvings of the share of the departures in which a refuting run is shrunk.
 const HALVINGS: usize = 12;
 
@@ -77,21 +80,24 @@ pub fn verification(experiment: &impl Experiment, tally: Tally, limits: Vec<Quan
 }
 
 /// The least share of its departures with which a refuting run still fails, by bisection between a share that fails and
-/// one that does not.
+/// one that does not; its scene ends soon after it is known to fail.
 fn shrunk(experiment: &impl Experiment, run: u64) -> Refutation {
-    let fails = |share: f64| match experiment.run(run, share).ending {
-        Ending::Refuted(why) => Some(why),
-        Ending::Confirmed | Ending::Inconclusive(_) => None,
+    let fails = |share: f64| match experiment.run(run, share) {
+        Trial { ending: Ending::Refuted(why), left } => Some((why, left)),
+        _ => None,
     };
-    let (mut low, mut share, mut why) = (0.0, 1.0, fails(1.0).unwrap_or_default());
+    let (mut low, mut share, mut failure) = (0.0, 1.0, fails(1.0).unwrap_or_default());
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + share);
         match fails(middle) {
-            Some(reason) => (share, why) = (middle, reason),
+            Some(found) => (share, failure) = (middle, found),
             None => low = middle,
         }
     }
-    Refutation { run, share, why, replay: experiment.replay(run, share) }
+    let (why, left) = failure;
+    let mut replay = experiment.replay(run, share);
+    replay.world.duration *= (AFTERWARDS * (1.0 - left)).min(1.0);
+    Refutation { run, share, why, replay }
 }
 
 #[cfg(test)]
@@ -148,7 +154,7 @@ mod tests {
         let found = verification(&Made, all, Vec::new());
         for (refutation, least) in found.refutations.iter().zip([0.5, 1.0 / 3.0, 0.25]) {
             assert!(refutation.share >= least && refutation.share - least < 1e-3, "{refutation:?}");
-            assert_eq!(refutation.replay.world.duration, refutation.share);
+            assert_eq!(refutation.replay.world.duration, 0.525 * refutation.share);
         }
     }
 }

@@ -10,6 +10,7 @@ use partplan::answer::{CanonicalCone, Cone};
 use partplan::complementarity::{Enumeration, ExactLcp, Piece, enumerate};
 use partplan::exact::Q;
 use partplan::model::Part;
+use partplan::planner::{Question, stability};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
@@ -159,6 +160,43 @@ fn normals(cone: &CanonicalCone) -> impl Iterator<Item = Wrench> {
 
 /// Ten thousand take half a minute; in a build with assertions, what takes a quarter of a minute.
 const PROBLEMS: u32 = if cfg!(debug_assertions) { 2000 } else { 10_000 };
+
+/// Whether there is a solution and the part accelerates in none: `a = M⁻¹ (g + J c)` is zero at all vertices and along all rays.
+fn is_always_at_rest(contacts: &[Contact], pieces: &[Piece], g: &Wrench) -> bool {
+    let is_balanced = |z: &Vec<Q>, share: Q| {
+        let force = |axis: usize| {
+            let one = |(contact, z): (&Contact, &[Q])| {
+                &z[0] * &contact.normal[axis] + (&z[1] - &z[2]) * &contact.tangent[axis]
+            };
+            contacts.iter().zip(z.chunks(4)).map(one).sum::<Q>() + &share * &g[axis]
+        };
+        (0..3).all(|axis| force(axis).is_zero())
+    };
+    let rests = |piece: &Piece| {
+        piece.vertices.iter().all(|z| is_balanced(z, Q::one())) && piece.rays.iter().all(|z| is_balanced(z, Q::zero()))
+    };
+    !pieces.is_empty() && pieces.iter().all(rests)
+}
+
+proptest! {
+    #![proptest_config(runs(PROBLEMS / 5))]
+
+    /// A wrench is strongly stable exactly when the contact problem under it has solutions and the part rests in all of them:
+    /// outside of the set it moves in some solution, inside in none.
+    #[test]
+    fn strongly_stable_wrenches_move_the_part_in_no_solution(setup in loose(1..=3), load in loads()) {
+        let contacts = Contacts::of(&setup.0, &setup.1).list;
+        let closed = ours(&setup, &all_modes(contacts.len()), false);
+        let occurring: Vec<CanonicalCone> =
+            closed.iter().filter_map(|cone| if let Cone::Of(cone) = cone { Some(cone.clone()) } else { None }).collect();
+        let g = load.wrench(&occurring);
+        let lcp = contact_problem(&setup.0, &contacts, &g);
+        let Enumeration::Complete(solutions) = enumerate(&lcp, 100_000) else { panic!("fewer cases than that") };
+        let question = Question { wrenches: vec![g.clone()], ..Question::default() };
+        let verdict = &stability(&setup.0, &setup.1, &question).unwrap().wrenches[0];
+        prop_assert_eq!(verdict.strong, is_always_at_rest(&contacts, &solutions.pieces, &g), "under {:?}", g);
+    }
+}
 
 proptest! {
     #![proptest_config(runs(PROBLEMS))]

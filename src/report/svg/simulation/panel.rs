@@ -1,6 +1,6 @@
 //! One view of a run.
 
-use super::super::canvas::{At, Canvas, INK, MUTED, Pen};
+use super::super::canvas::{At, Canvas, GREEN, INK, MUTED, Pen};
 use super::super::label::Labels;
 use super::super::legend::{Legend, Swatch};
 use super::super::scene::{quartered, scale_bar};
@@ -18,6 +18,8 @@ const MOST_TIMED: usize = 3;
 const COM: f64 = 5.0;
 /// Least distance of two places whose times are written, in pixels.
 const APART: f64 = 7.0;
+/// Length of the arrow of a finger, in pixels.
+const FINGER: f64 = 40.0;
 /// Below a view, for its scale.
 pub(super) const FOOT: f64 = 22.0;
 
@@ -31,6 +33,8 @@ pub(super) struct Panel<'a> {
     times: Vec<f64>,
     paths: Vec<Vec<[f64; 2]>>,
     names: Vec<&'a str>,
+    /// Where fingers press, and in which direction.
+    fingers: Vec<[[f64; 2]; 2]>,
     low: [f64; 2],
     high: [f64; 2],
 }
@@ -71,7 +75,9 @@ impl<'a> Panel<'a> {
             high[axis] += spare;
         }
         let names = world.bodies.iter().map(|body| body.name.as_str()).collect();
-        Self { view, fixed, bodies, times: frames.iter().map(|frame| frame.time).collect(), paths, names, low, high }
+        let fingers = world.bodies.iter().filter_map(|body| body.finger.map(|finger| [finger.at, finger.direction]));
+        let times = frames.iter().map(|frame| frame.time).collect();
+        Self { view, fixed, bodies, times, paths, names, fingers: fingers.collect(), low, high }
     }
 
     /// Width, in m.
@@ -109,6 +115,11 @@ impl<'a> Panel<'a> {
             let line: Vec<At> = path.iter().map(|point| place(*point)).collect();
             canvas.line(&line, Pen::stroke(PATH, 1.0).dashed());
             labels.avoid(&line);
+        }
+        for [at, [x, y]] in &self.fingers {
+            let tip = place(*at);
+            canvas.arrow(At::new(tip.x - FINGER * x, tip.y + FINGER * y), tip, GREEN, 2.5);
+            legend.add(Swatch::Line(Pen::stroke(GREEN, 2.5)), "finger on a straight guide");
         }
         for (number, poses) in self.bodies.iter().enumerate() {
             self.times(canvas, &mut labels, number, poses, &place);
