@@ -221,7 +221,8 @@ fn scenes_are_written_as_they_are_read() {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             let text = if path.is_file() { std::fs::read_to_string(&path).unwrap() } else { String::new() };
-            let Ok(SceneCase { scene: Scene::Planar(world), .. }) = read_scene(text.as_bytes(), &Limits::default()) else {
+            let Ok(SceneCase { scene: Scene::Planar(world), .. }) = read_scene(text.as_bytes(), &Limits::default())
+            else {
                 continue;
             };
             let again = partplan::report::json::document(&partplan::report::json::scene("again", &world));
