@@ -81,7 +81,7 @@ struct Start {
 }
 
 impl InsertTrials {
-    /// The runs of a plan, with gaps of up to `departure` times the part's size at the start, or [`DEPARTURE`], less where
+    /// The runs of a plan, with gaps of up to `departure` times the part's size at the start, or 1e-4 of it, less where
     /// a fixel is near the end of an edge.
     #[must_use]
     pub fn new(part: &Part, fixture: &Fixture, push: Push, seed: u64, departure: Option<f64>) -> Self {
