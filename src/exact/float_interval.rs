@@ -35,7 +35,7 @@ impl FloatInterval {
     /// Of a rational.
     #[must_use]
     pub fn of_rational(value: &Q) -> Self {
-        let (numerator, denominator) = (Self::of_integer(value.numer()), Self::of_integer(value.denom()));
+        let [numerator, denominator] = within_range(value);
         if denominator.low == 1.0 && denominator.high == 1.0 {
             return numerator;
         }
@@ -104,6 +104,21 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 /// The least interval that holds the results of one operation on ends.
 ///
 /// `0 · ∞` and `∞ / ∞` arise from an end that stands for some finite number; zero in their place keeps the hull right.
+/// Numerator and denominator. Where doubles do not reach as far, both over the same power of two: what that cuts off is
+/// less than the rounding that the intervals allow for.
+fn within_range(value: &Q) -> [FloatInterval; 2] {
+    const REACH: u64 = 1_000;
+    const PRECISE: u64 = 64;
+    let parts = [value.numer(), value.denom()];
+    let [more, fewer] = [parts[0].bits().max(parts[1].bits()), parts[0].bits().min(parts[1].bits())];
+    let cut = more.saturating_sub(REACH).min(fewer.saturating_sub(PRECISE));
+    if cut == 0 {
+        parts.map(FloatInterval::of_integer)
+    } else {
+        parts.map(|part| FloatInterval::of_integer(&(part >> cut)))
+    }
+}
+
 fn hull(results: [f64; 4]) -> FloatInterval {
     let results = results.map(|value| if value.is_nan() { 0.0 } else { value });
     let low = results.into_iter().fold(f64::INFINITY, f64::min);

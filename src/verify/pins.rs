@@ -163,6 +163,17 @@ impl PinTrials {
         Some(Quantity { name: "works up to a belt speed of", low: speed, high: speed, unit: "m/s" })
     }
 
+    /// The edge on which the part of a run ends.
+    ///
+    /// # Errors
+    /// How it ends otherwise.
+    pub fn end(&self, run: u64) -> Result<usize, Ending> {
+        match self.follow(run, 1.0) {
+            (Ending::Confirmed, Some(edge), _) => Ok(edge),
+            (ending, ..) => Err(ending),
+        }
+    }
+
     /// Diameter of the hull, L (m).
     fn size(&self) -> f64 {
         let pairs = self.hull.iter().flat_map(|a| self.hull.iter().map(|b| length(sub(*a, *b))));

@@ -1,7 +1,7 @@
 //! Parts whose friction or center of mass is known within limits: what is said holds for every value.
 
 use crate::agree::end;
-use crate::draw::{Drawn, belts, bodies, pin_frictions, runs};
+use crate::support::drawn::{Drawn, belts, bodies, pin_frictions, runs};
 use crate::support::{int, q};
 use partplan::answer::{PinAction, Pins};
 use partplan::exact::{Q, ratio, to_f64};

@@ -3,8 +3,8 @@
 //! Zhang, Goldberg et al., section VII: the pin's force is normal to the edge and must pass above the pivot, so a pin
 //! works above the foot of the pivot on the edge that it touches.
 
-use crate::draw::{Drawn, runs};
 use crate::properties::kinds;
+use crate::support::drawn::{Drawn, runs};
 use crate::support::{cross, dot, int};
 use num_traits::Signed;
 use partplan::answer::{Orientation, PinAction, Pins};

@@ -2,8 +2,8 @@
 //! infinite one.
 
 use crate::agree::agrees;
-use crate::draw::{Drawn, bodies, pin_frictions, runs};
 use crate::properties::{alike, kinds};
+use crate::support::drawn::{Drawn, bodies, pin_frictions, runs};
 use crate::support::int;
 use num_traits::One;
 use partplan::answer::PinAction;

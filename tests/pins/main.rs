@@ -3,7 +3,6 @@
 mod agree;
 mod boxes;
 mod closed;
-mod draw;
 mod expected;
 mod extreme;
 mod margins;

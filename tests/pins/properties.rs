@@ -1,8 +1,8 @@
 //! What must hold for every part: random ones, convex and not, with and without friction.
 
 use crate::agree::agrees;
-use crate::draw::{Drawn, drawn, runs};
 use crate::search::{Search, replay};
+use crate::support::drawn::{Drawn, drawn, runs};
 use crate::support::int;
 use partplan::answer::{ActionInterval, Orientation, PinAction, Pins};
 use partplan::exact::{Algebraic, Q, ratio, to_f64};

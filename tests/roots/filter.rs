@@ -43,6 +43,17 @@ proptest! {
         }
     }
 
+    /// Of two parts far beyond all doubles, whose ratio is not.
+    #[test]
+    fn long_rationals_have_narrow_intervals(p in 1..=i64::MAX, q in 1..=i64::MAX, digits in 300..700_u32) {
+        let power = Z::from(10).pow(digits);
+        for value in [Q::new(power.clone() * p + 1, power.clone() * q), Q::new(-(power.clone() * p), power * q - 1)] {
+            let interval = FloatInterval::of_rational(&value);
+            let [low, high] = interval.ends();
+            prop_assert!(holds(interval, &value) && high - low <= 8.0 * f64::EPSILON * low.abs());
+        }
+    }
+
     /// Near a root and at it, and anywhere.
     #[test]
     fn filtered_signs_are_exact(p in coefficients(0..=6), x in any_size(), root in small(), digits in 1..40_u32) {

@@ -4,6 +4,7 @@
 pub mod canonical;
 pub mod cases;
 pub mod conveyed;
+pub mod drawn;
 pub mod hull;
 pub mod lp;
 pub mod member;

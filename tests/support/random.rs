@@ -22,8 +22,11 @@ pub fn runs(cases: u32) -> ProptestConfig {
 pub fn runs_of(file: &'static str, cases: u32) -> ProptestConfig {
     let asked = std::env::var_os("PROPTEST_CASES").is_some();
     let default = ProptestConfig::default();
+    let cases = if asked { default.cases } else { cases };
     ProptestConfig {
-        cases: if asked { default.cases } else { cases },
+        cases,
+        max_global_rejects: 64 * cases.max(256),
+        max_local_rejects: 256 * cases.max(256),
         max_shrink_iters: 300,
         failure_persistence: Some(Box::new(FileFailurePersistence::Direct(file))),
         ..default

@@ -158,6 +158,35 @@ impl Conveyed {
         Meeting { action: if passes { PinAction::Pass } else { PinAction::Repeat }, ..meeting }
     }
 
+    /// Whether the part is stuck from where it first meets the pin until it would have turned by `turn`, and not nearly free,
+    /// while the pin neither pushes upward nor tips the part forward: what lifts it may carry it over or under the pin.
+    pub fn is_stuck_at_first(&self, edge: usize, height: f64, turn: f64) -> bool {
+        const CLEARLY: f64 = 0.01;
+        let (leg, h) = (&self.legs[edge], height / self.size);
+        let is_stuck = |angle: f64| {
+            leg.touched(angle, h).is_some_and(|touched| {
+                let contact = leg.contact(touched, angle, h);
+                let right = leg.corner_at(edge + 1, angle);
+                let arm = [contact.at[0] - right[0], contact.at[1] - right[1]];
+                let [x, y] = contact.along;
+                let pushes = [1.0, -1.0].map(|side| [-y + side * self.pin * x, x + side * self.pin * y]);
+                let only_holds = x <= 0.0 && pushes.iter().all(|push| turning(arm, *push) >= 0.0);
+                only_holds && self.carries(&contact, leg.center_at(angle)[0], contact.slide()) < -CLEARLY
+            })
+        };
+        (0..=4).all(|quarter| is_stuck(f64::from(quarter) / 4.0 * turn))
+    }
+
+    /// How far the center of mass would have to rise to topple the part where it turns out from under a pin that touched it.
+    pub fn left_to_rise(&self, edge: usize, height: f64) -> f64 {
+        let (leg, h) = (&self.legs[edge], height / self.size);
+        let over = |turn: f64| leg.top(turn) <= h;
+        let steps = (0..=1_000).map(|step| f64::from(step) * 1e-3 * leg.turn);
+        let lost = steps.skip_while(|turn| over(*turn)).find(|turn| over(*turn)).unwrap_or(0.0);
+        let [x, y] = leg.center_at(lost);
+        (x.hypot(y) - y) * self.size
+    }
+
     /// Positive if the part turns slowly on while the belt carries its pivot along: the pin, the weight and the belt
     /// balance, the pin's friction against the sliding, the belt's inside of its cone.
     fn carries(&self, contact: &Contact, center: f64, slide: f64) -> f64 {

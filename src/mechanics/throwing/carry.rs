@@ -163,7 +163,8 @@ fn short([low, high]: [Surd; 2]) -> [Q; 2] {
 fn decimal_step(value: &Surd) -> Q {
     const SMALLEST: i32 = -40;
     let size = value.to_f64().abs();
-    let power = if size > 0.0 { (size.log10().floor() as i32 - 15).max(SMALLEST) } else { SMALLEST };
+    let power =
+        if size > 0.0 && size.is_finite() { (size.log10().floor() as i32 - 15).max(SMALLEST) } else { SMALLEST };
     let ten = Q::from(Z::from(10).pow(power.unsigned_abs()));
     if power.is_negative() { ten.recip() } else { ten }
 }

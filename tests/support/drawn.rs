@@ -1,7 +1,7 @@
 //! Random parts with small rational corners, and friction from none to practically infinite.
 
-use crate::support::topple::Conveyed;
-use crate::support::{conveyed, int, random};
+use super::topple::Conveyed;
+use super::{conveyed, int, random};
 use num_traits::One;
 use partplan::answer::Pins;
 use partplan::exact::{Q, ratio};
