@@ -24,6 +24,8 @@ pub struct Verification {
 pub struct Tally {
     /// Runs that ended as the plan says.
     pub confirmed: u64,
+    /// Those of them that ended in motion: seated, and not held still.
+    pub moving: u64,
     /// Numbers of the runs that ended otherwise, ascending.
     pub refuted: Vec<u64>,
     /// Runs that a limit ended, or whose contact problems were not decided.
@@ -104,6 +106,7 @@ impl Tally {
     /// Adds what other runs came to.
     pub fn add(&mut self, other: &Self) {
         self.confirmed += other.confirmed;
+        self.moving += other.moving;
         self.inconclusive += other.inconclusive;
         self.refuted.extend(&other.refuted);
         self.refuted.sort_unstable();
@@ -153,6 +156,7 @@ mod tests {
     fn sums_of_tallies_do_not_depend_on_their_order() {
         let tally = |run: u64, reason: &str, left: f64| Tally {
             confirmed: 1,
+            moving: 1,
             refuted: vec![run],
             inconclusive: run,
             reasons: vec![(reason.to_owned(), 1)],

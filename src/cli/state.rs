@@ -51,10 +51,11 @@ impl State {
 }
 
 fn written(tally: &Tally) -> Value {
-    let Tally { confirmed, refuted, inconclusive, reasons, margin } = tally;
+    let Tally { confirmed, moving, refuted, inconclusive, reasons, margin } = tally;
     let margin = margin.map(|(left, run)| json!([left.to_bits(), run]));
     json!({
         "confirmed": confirmed,
+        "moving": moving,
         "refuted": refuted,
         "inconclusive": inconclusive,
         "reasons": reasons,
@@ -70,6 +71,7 @@ fn read(value: &Value) -> Option<Tally> {
     };
     Some(Tally {
         confirmed: value["confirmed"].as_u64()?,
+        moving: value["moving"].as_u64()?,
         refuted: value["refuted"].as_array()?.iter().map(Value::as_u64).collect::<Option<_>>()?,
         inconclusive: value["inconclusive"].as_u64()?,
         reasons: value["reasons"].as_array()?.iter().map(pair).collect::<Option<_>>()?,
@@ -94,6 +96,7 @@ mod tests {
         let path = folder.join("state.json");
         let tally = Tally {
             confirmed: 5,
+            moving: 4,
             refuted: vec![2, 7],
             inconclusive: 1,
             reasons: vec![("jams".to_owned(), 2), ("time".to_owned(), 1)],

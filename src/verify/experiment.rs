@@ -31,6 +31,8 @@ pub struct Trial {
     pub ending: Ending,
     /// Share of the time allowed that was left, in [0, 1].
     pub left: f64,
+    /// Whether it ended as the plan says but in motion: seated, and not held still.
+    pub moves: bool,
 }
 
 /// Runs that are drawn by their number, the same whenever and wherever they run.
@@ -60,7 +62,9 @@ pub fn tally(experiment: &impl Experiment, runs: Range<u64>, watch: &(dyn Fn() -
         let trial = experiment.run(run, 1.0);
         let mut tally = Tally::default();
         match trial.ending {
-            Ending::Confirmed => (tally.confirmed, tally.margin) = (1, Some((trial.left, run))),
+            Ending::Confirmed => {
+                (tally.confirmed, tally.moving, tally.margin) = (1, trial.moves.into(), Some((trial.left, run)));
+            }
             Ending::Refuted(why) => (tally.refuted, tally.reasons) = (vec![run], vec![(why, 1)]),
             Ending::Inconclusive(why) => (tally.inconclusive, tally.reasons) = (1, vec![(why, 1)]),
         }
@@ -83,7 +87,7 @@ pub fn verification(experiment: &impl Experiment, tally: Tally, limits: Vec<Quan
 /// one that does not; its scene ends soon after it is known to fail.
 fn shrunk(experiment: &impl Experiment, run: u64) -> Refutation {
     let fails = |share: f64| match experiment.run(run, share) {
-        Trial { ending: Ending::Refuted(why), left } => Some((why, left)),
+        Trial { ending: Ending::Refuted(why), left, .. } => Some((why, left)),
         _ => None,
     };
     let (mut low, mut share, mut failure) = (0.0, 1.0, fails(1.0).unwrap_or_default());
@@ -116,7 +120,7 @@ mod tests {
                 n if share * n as f64 >= 1.0 => Ending::Refuted("jams".to_owned()),
                 _ => Ending::Confirmed,
             };
-            Trial { ending, left: 0.5 }
+            Trial { ending, left: 0.5, moves: false }
         }
 
         fn replay(&self, _: u64, share: f64) -> Replay {

@@ -21,6 +21,9 @@ const PATIENCE: f64 = 60.0;
 /// Steps for which a state lasts that is believed to last.
 const DWELL: usize = 64;
 
+/// Steps in which a part that is seated comes to rest if it is held.
+const HELD: usize = 16 * DWELL;
+
 /// Gap, over the departure, up to which a fixel holds.
 const CLOSED: f64 = 1e-3;
 
@@ -321,7 +324,7 @@ impl Experiment for InsertTrials {
     fn run(&self, run: u64, share: f64) -> Trial {
         if self.departure < RESOLVED {
             let why = "a fixel is so near the end of an edge that doubles do not resolve the gaps".to_owned();
-            return Trial { ending: Ending::Inconclusive(why), left: 0.0 };
+            return Trial { ending: Ending::Inconclusive(why), left: 0.0, moves: false };
         }
         let start = self.start(run, share);
         let world = self.world(&start);
@@ -332,6 +335,7 @@ impl Experiment for InsertTrials {
             lost: LOST * start.widest,
             still: STILL * time(&start, self.seat.size) * self.seat.size,
             dwelt: [0; 2],
+            is_still: false,
             ending: None,
         };
         let options =
@@ -348,7 +352,8 @@ impl Experiment for InsertTrials {
                 (Ending::Inconclusive("a contact problem was not solved".to_owned()), time)
             }
         };
-        Trial { ending, left: 1.0 - time / world.duration }
+        let moves = ending == Ending::Confirmed && !watch.is_still;
+        Trial { ending, left: 1.0 - time / world.duration, moves }
     }
 
     fn replay(&self, run: u64, share: f64) -> Replay {
@@ -389,6 +394,8 @@ struct Watch<'a> {
     still: f64,
     /// Steps for which the part has been seated, and at rest elsewhere.
     dwelt: [usize; 2],
+    /// Whether it moves no longer.
+    is_still: bool,
     ending: Option<Ending>,
 }
 
@@ -401,10 +408,11 @@ impl Watch<'_> {
         let pose = [x - (cosine * off[0] - sine * off[1]), y - (sine * off[0] + cosine * off[1]), angle];
         let widest = seat.widest(&pose);
         let [vx, vy, spin] = moment.velocities[0];
-        let is_still = moment.time > 0.0 && length([vx, vy]) + seat.size * spin.abs() <= self.still;
+        self.is_still = moment.time > 0.0 && length([vx, vy]) + seat.size * spin.abs() <= self.still;
         let count = |is_so: bool, steps: usize| if is_so { steps + 1 } else { 0 };
-        self.dwelt = [count(widest <= self.closed, self.dwelt[0]), count(is_still, self.dwelt[1])];
-        self.ending = if self.dwelt[0] > DWELL {
+        self.dwelt = [count(widest <= self.closed, self.dwelt[0]), count(self.is_still, self.dwelt[1])];
+        // what spins when it arrives may still come to rest
+        self.ending = if self.dwelt[0] > if self.is_still { DWELL } else { HELD } {
             Some(Ending::Confirmed)
         } else if widest > self.closed && self.dwelt[1] > DWELL {
             Some(Ending::Refuted(format!("rests with {} free", self.trials.state(&pose, self.closed))))

@@ -294,13 +294,16 @@ impl PinTrials {
 impl Experiment for PinTrials {
     fn run(&self, run: u64, share: f64) -> Trial {
         let (ending, edge, left) = self.follow(run, share);
-        let (Ending::Confirmed, Some(edge)) = (&ending, edge) else { return Trial { ending, left } };
+        let (Ending::Confirmed, Some(edge)) = (&ending, edge) else {
+            return Trial { ending, left, moves: false };
+        };
         let last = self.last.or_else(|| self.follow(0, 1.0).1).unwrap_or(edge);
         if self.classes[edge] == self.classes[last] {
-            return Trial { ending, left };
+            return Trial { ending, left, moves: false };
         }
         let from = self.start(run, share).edge;
-        Trial { ending: Ending::Refuted(format!("from edge {from} it ends on edge {edge}, not {last}")), left }
+        let ending = Ending::Refuted(format!("from edge {from} it ends on edge {edge}, not {last}"));
+        Trial { ending, left, moves: false }
     }
 
     fn replay(&self, run: u64, share: f64) -> Replay {

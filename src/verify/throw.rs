@@ -275,7 +275,7 @@ impl Experiment for ThrowTrials {
             }
             (_, Err(error)) => (Ending::Inconclusive(error.to_string()), 0.0),
         };
-        Trial { ending, left: 1.0 - time / world.duration }
+        Trial { ending, left: 1.0 - time / world.duration, moves: false }
     }
 
     fn replay(&self, run: u64, share: f64) -> Replay {

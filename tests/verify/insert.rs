@@ -4,6 +4,7 @@ use super::support::{cases, int};
 use partplan::answer::{Verdict, Verification};
 use partplan::case::{Case, Limits, read, read_scene};
 use partplan::dynamics::{ModelKind, Options, Policy, simulate};
+use partplan::exact::ratio;
 use partplan::model::{GivenPush, Scene};
 use partplan::planner::{Question, insertion};
 use partplan::report::json;
@@ -82,4 +83,17 @@ fn runs_are_repeated_by_their_seed() {
     };
     assert_eq!(of(1), of(1));
     assert!(of(1) != of(2));
+}
+
+/// Friction of 1/5 at two fixels holds a disc against a moment of at most 2/5 of a push into both; more leaves it spinning.
+#[test]
+fn a_disc_may_be_seated_and_not_held() {
+    let case = case("n2_disc_paper");
+    let fixture = case.fixture.unwrap();
+    for (torque, moving) in [(ratio(1, 5), 0), (ratio(4, 5), 12)] {
+        let push = Push::given(&case.part, &GivenPush::Wrench([int(1), int(-1), torque]));
+        let trials = InsertTrials::new(&case.part, &fixture, push, 0, None);
+        let tally = tally(&trials, 0..12, &|| true).unwrap();
+        assert_eq!((tally.confirmed, tally.moving), (12, moving), "{tally:?}");
+    }
 }

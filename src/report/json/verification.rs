@@ -42,6 +42,7 @@ pub fn verification(found: &Verification) -> Value {
         "seed": found.seed,
         "runs": tally.runs(),
         "confirmed": tally.confirmed,
+        "moving": tally.moving,
         "refuted": tally.refuted,
         "inconclusive": tally.inconclusive,
         "wilson": tally.wilson(),

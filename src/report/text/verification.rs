@@ -25,6 +25,10 @@ pub fn verification(unit: LengthUnit, found: &Verification) -> String {
     };
     let of = if found.is_given { "the plan given is " } else { "" };
     report.line("dynamics", &format!("{of}{verdict}{}", limits(unit, &found.limits)));
+    if tally.moving > 0 {
+        let moving = if tally.moving == tally.confirmed { "all".to_owned() } else { tally.moving.to_string() };
+        report.line("", &format!("seated, but not held still then: {moving} of them"));
+    }
     for (reason, count) in most(tally) {
         report.line("", &format!("{count} {}: {reason}", if *count == 1 { "run" } else { "runs" }));
     }
