@@ -37,7 +37,7 @@ const SMALLEST_PINS: &str = r#""pins": {"belt_friction": 0.5, "pin_friction": 0.
 const SMALLEST_THROW: &str = r#""throw": {"offset": -0.5, "release_deg_per_s": 320}"#;
 
 /// The keys of a case.
-const KEYS: [&str; 7] = ["name", "length_unit", "part", "insert", "pins", "throw", "scene"];
+const KEYS: [&str; 8] = ["name", "comment", "length_unit", "part", "insert", "pins", "throw", "scene"];
 
 /// A section of a case that says what a task needs besides the part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
