@@ -18,6 +18,7 @@ pub mod answer;
 pub mod case;
 pub mod complementarity;
 pub mod cone;
+pub mod design;
 pub mod dynamics;
 pub mod exact;
 pub mod geometry;

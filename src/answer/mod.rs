@@ -1,6 +1,7 @@
 //! What the planners return: data only, exact, ready to be checked and reported.
 
 mod critical;
+mod feeder;
 mod insert;
 mod limit;
 mod pins;
@@ -13,6 +14,7 @@ mod verification;
 mod witness;
 
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
+pub use feeder::{DesignCheck, EntryFate, EntryRun, Evaluation, FeederDesign, FeederPlan, Robustness};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
 pub use pins::{
@@ -30,5 +32,5 @@ pub use throw::{
     EndedOrbit, Fate, GraspEdge, Hybrid, LimitSet, LimitSets, Piece, Pose, ProofLimit, Reach, Sensor, SensorWindow,
     Setting, SettingKind, Slide, SurdRatio, Throw, ThrowQuery,
 };
-pub use verification::{Quantity, Refutation, Replay, Tally, Verdict, Verification};
+pub use verification::{Quantity, Refutation, Replay, Tally, Verdict, Verification, wilson};
 pub use witness::{ContactMotion, Motion, StateModes, Step, Witness};

@@ -126,16 +126,22 @@ impl Tally {
     /// Wilson's interval for the share of runs that would be confirmed, at 95 %.
     #[must_use]
     pub fn wilson(&self) -> [f64; 2] {
-        let (n, z) = (self.runs() as f64, 1.959_963_984_540_054);
-        if n == 0.0 {
-            return [0.0, 1.0];
-        }
-        let share = self.confirmed as f64 / n;
-        let middle = share + z * z / (2.0 * n);
-        let half = z * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();
-        let scale = 1.0 + z * z / n;
-        [((middle - half) / scale).max(0.0), ((middle + half) / scale).min(1.0)]
+        wilson(self.confirmed, self.runs())
     }
+}
+
+/// Wilson's interval for a share of which `of` draws show `seen`, at 95 %.
+#[must_use]
+pub fn wilson(seen: u64, of: u64) -> [f64; 2] {
+    let (n, z) = (of as f64, 1.959_963_984_540_054);
+    if of == 0 {
+        return [0.0, 1.0];
+    }
+    let share = seen as f64 / n;
+    let middle = share + z * z / (2.0 * n);
+    let half = z * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();
+    let scale = 1.0 + z * z / n;
+    [((middle - half) / scale).max(0.0), ((middle + half) / scale).min(1.0)]
 }
 
 #[cfg(test)]

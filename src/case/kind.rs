@@ -333,6 +333,32 @@ pub enum FaultKind {
     /// A push of length zero.
     #[error("a push of length zero does nothing")]
     ZeroPush,
+    /// A text that is no expression.
+    #[error("`{text}` is no expression: {why}")]
+    Expression {
+        /// The text, possibly shortened.
+        text: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// A name in an expression that stands for nothing.
+    #[error("nothing is named `{name}`")]
+    UnknownName {
+        /// The name, possibly shortened.
+        name: String,
+    },
+    /// A name that expressions cannot use.
+    #[error("`{name}` cannot be a name in expressions")]
+    BadName {
+        /// The name, possibly shortened.
+        name: String,
+    },
+    /// An expression without a finite value where the search starts.
+    #[error("`{text}` has no finite value where the search starts")]
+    NoValue {
+        /// The text, possibly shortened.
+        text: String,
+    },
 }
 
 /// Why an entry of `pairs` names no pair.
@@ -406,6 +432,10 @@ impl FaultKind {
             Self::Disagreement { .. } => "C083",
             Self::FromOnPolygon => "C084",
             Self::ZeroPush => "C085",
+            Self::Expression { .. } => "C086",
+            Self::UnknownName { .. } => "C087",
+            Self::BadName { .. } => "C088",
+            Self::NoValue { .. } => "C089",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Case files: JSON text read exactly, every fault reported at once.
 
 mod conveyor;
+mod expression;
 mod fault;
 mod fixels;
 mod friction;
@@ -18,7 +19,7 @@ mod thrower;
 pub use fault::{Fault, Related};
 pub use kind::{FaultKind, PairFault, SyntaxFault};
 pub use render::render;
-pub use scene::{SceneCase, read_scene};
+pub use scene::{FeederCase, SceneCase, read_feeder, read_scene};
 
 use crate::exact::Q;
 use crate::model::{Conveyor, Fixture, GivenPush, LengthUnit, Part, Thrower};
@@ -37,7 +38,7 @@ const SMALLEST_PINS: &str = r#""pins": {"belt_friction": 0.5, "pin_friction": 0.
 const SMALLEST_THROW: &str = r#""throw": {"offset": -0.5, "release_deg_per_s": 320}"#;
 
 /// The keys of a case.
-const KEYS: [&str; 8] = ["name", "comment", "length_unit", "part", "insert", "pins", "throw", "scene"];
+const KEYS: [&str; 9] = ["name", "comment", "length_unit", "part", "insert", "pins", "throw", "scene", "feeder"];
 
 /// A section of a case that says what a task needs besides the part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! What a case means: the part, its friction, its fixture in exact numbers, and scenes for the time-steppers.
 
 mod conveyor;
+mod feeder;
 mod fixture;
 mod given;
 mod orientation;
@@ -9,6 +10,7 @@ mod scene;
 mod thrower;
 
 pub use conveyor::Conveyor;
+pub use feeder::{Device, Feeder, Goal, Rest, Uncertain, Variable};
 pub use fixture::{Fixel, Fixture, Friction, Place, Range};
 pub use given::GivenPush;
 pub use orientation::{tangents, turned};

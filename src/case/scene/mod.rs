@@ -2,12 +2,16 @@
 
 mod body;
 mod double;
+mod feeder;
 mod finger;
 mod material;
 mod planar;
 mod resolve;
 mod shape;
 mod spatial;
+mod template;
+
+pub use feeder::{FeederCase, read_feeder};
 
 use super::kind::FaultKind;
 use super::reader::{Fields, Path, Reader, span_of};
@@ -101,6 +105,17 @@ impl Reader {
         match self.dimension(&fields, path)? {
             2 => self.world::<Planar>(&fields, path, limits).map(Scene::Planar),
             _ => self.world::<Spatial>(&fields, path, limits).map(Scene::Spatial),
+        }
+    }
+
+    /// A scene that must be one in the plane.
+    fn planar(&mut self, value: &Value, path: &Path, limits: &Limits) -> Option<World<Planar>> {
+        match self.scene(value, path, limits)? {
+            Scene::Planar(world) => Some(world),
+            Scene::Spatial(_) => {
+                self.wrong_type("a scene in the plane", value, path, "leave `dimension` out");
+                None
+            }
         }
     }
 

@@ -1,0 +1,12 @@
+//! Design of devices through dynamics: dimensions with which parts leave as they are to, however they enter.
+//!
+//! Song, Trinkle, Kumar and Pang (2004), section V. Everything here is in doubles: it proposes designs and says how they fared in
+//! the time-steppers, and proves nothing.
+
+mod objective;
+mod robust;
+mod search;
+
+pub use objective::{evaluated, run};
+pub use robust::robustness;
+pub use search::{Journal, Score, SearchOptions, design};
