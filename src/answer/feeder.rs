@@ -1,19 +1,20 @@
 //! Answer of `plan feeder`.
 
-use super::Limit;
+use super::{Limit, Simulation};
+use crate::model::{Planar, World};
 
 /// A device whose dimensions were searched, and what parts do in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FeederPlan {
     /// As the search began.
     pub start: FeederDesign,
-    /// The best design that every check confirms; `None` if none was found.
+    /// The best design that passes at every step checked, and if there is one, by every model; `None` if none was found.
     pub best: Option<FeederDesign>,
     /// The checks of the best design, at smaller steps and by another model.
     pub checks: Vec<DesignCheck>,
     /// Cost of each evaluation, in order: of all at the worst step looked at.
     pub trace: Vec<Evaluation>,
-    /// Designs that passed but failed a check, before the best one.
+    /// Designs of a lower cost that passed, but not at every step checked.
     pub fragile: usize,
     /// How far dimensions and what is uncertain may be off, if it was asked for.
     pub robust: Option<Robustness>,
@@ -83,6 +84,19 @@ impl EntryFate {
             Self::NoDevice => "finds no device",
         }
     }
+}
+
+/// A run of a design, to be shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Film {
+    /// Which design: `at first` or `designed`.
+    pub design: &'static str,
+    /// Number of the entry.
+    pub entry: usize,
+    /// The scene, which ends soon after the run is decided.
+    pub world: World<Planar>,
+    /// What moved.
+    pub simulation: Simulation<Planar>,
 }
 
 /// An evaluation of the objective.

@@ -14,7 +14,7 @@ mod verification;
 mod witness;
 
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
-pub use feeder::{DesignCheck, EntryFate, EntryRun, Evaluation, FeederDesign, FeederPlan, Robustness};
+pub use feeder::{DesignCheck, EntryFate, EntryRun, Evaluation, FeederDesign, FeederPlan, Film, Robustness};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
 pub use limit::Limit;
 pub use pins::{

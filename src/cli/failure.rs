@@ -69,7 +69,7 @@ pub enum Failure {
     /// A variable is named twice.
     #[error("error: variable {variable} is to be kept twice; name it once")]
     VariableTwice { variable: usize },
-    /// A drawing cannot be written.
+    /// A drawing, or what is kept of a search, cannot be written.
     #[error("error: cannot write {}: {source}", path.display())]
     Picture { path: PathBuf, source: io::Error },
     /// There is nothing to put to the test.

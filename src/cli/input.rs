@@ -1,8 +1,9 @@
 //! Reading case files, never more than asked for.
 
 use super::common::{Common, Fixtured};
+use super::state::digest;
 use super::{Failure, output};
-use partplan::case::{self, Case, SceneCase, Section};
+use partplan::case::{self, Case, FeederCase, SceneCase, Section};
 use partplan::model::{Conveyor, Fixture, Thrower};
 use partplan::report::{Ride, Subject, Toss};
 use std::fs::File;
@@ -115,6 +116,29 @@ pub fn scene(common: &Common) -> Result<SceneTask, Failure> {
         output::complain(&format!("warning: {shown}: and {more} warnings more (--format json lists all)"));
     }
     Ok(SceneTask { name: case.name.clone().unwrap_or_else(|| stem(&common.case)), case })
+}
+
+/// A device and what it is called.
+pub struct FeederTask {
+    /// Its name, or that of its file.
+    pub name: String,
+    /// The device.
+    pub case: FeederCase,
+    /// Tells its text from other texts.
+    pub digest: String,
+}
+
+/// Reads a case with a `feeder` section and says its warnings on standard error.
+pub fn feeder(common: &Common) -> Result<FeederTask, Failure> {
+    let shown = if common.case == "-" { "standard input" } else { &common.case };
+    let bytes = bytes(&common.case, common.max_bytes, "feeder.json")?;
+    let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
+    let case = case::read_feeder(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
+    for warning in &case.warnings {
+        output::complain(&format!("warning: {shown}: {warning}"));
+    }
+    let name = case.name.clone().unwrap_or_else(|| stem(&common.case));
+    Ok(FeederTask { name, case, digest: digest(&String::from_utf8_lossy(&bytes)) })
 }
 
 /// One byte more than the limit is enough to know that there are too many.

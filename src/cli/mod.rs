@@ -4,8 +4,10 @@ mod common;
 mod cone;
 mod convert;
 mod failure;
+mod feeder;
 mod input;
 mod insert;
+mod journal;
 mod limit;
 mod output;
 mod pins;
@@ -47,6 +49,7 @@ enum Command {
     Pins(pins::Args),
     Throw(Box<throw::Args>),
     Simulate(simulate::Args),
+    Feeder(feeder::Args),
     Verify(verify::Args),
     Convert(convert::Args),
 }
@@ -64,6 +67,7 @@ impl Cli {
             Command::Pins(args) => pins::run(args, out),
             Command::Throw(args) => throw::run(args, out),
             Command::Simulate(args) => simulate::run(args, out),
+            Command::Feeder(args) => feeder::run(args, out),
             Command::Verify(args) => verify::run(args, out),
             Command::Convert(args) => convert::run(args, out),
         }

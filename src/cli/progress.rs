@@ -40,6 +40,15 @@ impl Bar {
         self.set("verifying", usize::try_from(done).unwrap_or(usize::MAX), usize::try_from(of).unwrap_or(usize::MAX));
     }
 
+    /// Shows how many designs have been evaluated, and the best cost.
+    pub fn show_search(&self, done: usize, of: usize, best: f64) {
+        if self.0.length() != Some(of as u64) {
+            self.0.set_length(of as u64);
+        }
+        self.0.set_message(format!("cost {best:.3}"));
+        self.0.set_position(done as u64);
+    }
+
     fn set(&self, stage: &'static str, done: usize, of: usize) {
         if self.0.message() != stage {
             self.0.set_message(stage);

@@ -80,7 +80,7 @@ fn read(value: &Value) -> Option<Tally> {
 }
 
 /// FNV-1a of a text, 64 bits: tells states of different questions apart, not those of an adversary.
-fn digest(text: &str) -> String {
+pub fn digest(text: &str) -> String {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     format!("{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325, step))
 }

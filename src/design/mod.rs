@@ -5,8 +5,10 @@
 
 mod objective;
 mod robust;
+mod score;
 mod search;
 
-pub use objective::{evaluated, run};
+pub use objective::{evaluated, films, run};
 pub use robust::robustness;
-pub use search::{Journal, Score, SearchOptions, design};
+pub use score::{Score, Scoring, SearchOptions};
+pub use search::{Journal, design};

@@ -1,12 +1,16 @@
 //! The objective (18): where and when each part leaves.
 
-use crate::answer::{EntryFate, EntryRun, FeederDesign, Simulation, Status};
-use crate::dynamics::{ModelKind, Options, observe};
+use crate::answer::{EntryFate, EntryRun, FeederDesign, Film, Simulation, Status};
+use crate::dynamics::{ModelKind, Options, observe, simulate};
 use crate::model::{Feeder, Goal, Planar, PlanarShape, World};
 use std::f64::consts::TAU;
 
 /// Cost of a device that does not exist, for each entry: more than that of any run.
 const NO_DEVICE: f64 = 1e3;
+
+/// Time for which a run that is decided is shown (s), and frames of it.
+const AFTERWARDS: f64 = 0.03;
+const FRAMES: usize = 300;
 
 /// A device with these dimensions, by a model and with a step (s).
 ///
@@ -67,6 +71,19 @@ pub fn run(feeder: &Feeder, world: &World<Planar>, model: ModelKind, step: Optio
     let distance = off.iter().map(|off| off * off).sum::<f64>().sqrt();
     let cost = goal.weight * distance + time;
     EntryRun { fate, time, pose, cost: if cost.is_finite() { cost.min(NO_DEVICE) } else { NO_DEVICE } }
+}
+
+/// The runs of a design as they are shown, to soon after they are decided.
+#[must_use]
+pub fn films(feeder: &Feeder, design: &FeederDesign, name: &'static str) -> Vec<Film> {
+    let worlds = feeder.device.scenes(&design.variables, &feeder.nominal()).unwrap_or_default();
+    let options = Options { model: ModelKind::StewartTrinkle, frames: FRAMES, ..Options::default() };
+    let film = |(entry, (mut world, run)): (usize, (World<Planar>, &EntryRun))| {
+        world.duration = world.duration.min(run.time + AFTERWARDS);
+        let simulation = simulate(&world, &options, &mut |_| true).ok()?;
+        Some(Film { design: name, entry, world, simulation })
+    };
+    worlds.into_iter().zip(&design.runs).enumerate().filter_map(film).collect()
 }
 
 fn is_near(goal: &Goal, pose: &[f64; 3]) -> bool {

@@ -3,7 +3,7 @@
 use super::objective::evaluated;
 use crate::answer::{Robustness, wilson};
 use crate::dynamics::ModelKind;
-use crate::model::Feeder;
+use crate::model::{Feeder, Uncertain};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 use rayon::prelude::*;
@@ -14,11 +14,11 @@ const BISECTIONS: usize = 5;
 
 /// What is uncertain, drawn within its limits: draw `run` of a seed.
 #[must_use]
-pub(super) fn drawn(feeder: &Feeder, seed: u64, run: u64) -> Vec<f64> {
+pub(super) fn drawn(uncertain: &[Uncertain], seed: u64, run: u64) -> Vec<f64> {
     let mut stream = ChaCha8Rng::seed_from_u64(seed);
     stream.set_stream(run);
     let mut unit = || (stream.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-    feeder.uncertain.iter().map(|one| one.value + one.off * (2.0 * unit() - 1.0)).collect()
+    uncertain.iter().map(|one| one.value + one.off * (2.0 * unit() - 1.0)).collect()
 }
 
 /// The yield of a design over so many draws of what is uncertain, and how far each variable may be off by itself; `None` where
@@ -33,7 +33,7 @@ pub fn robustness(
     let passes = |variables: &[f64], uncertain: &[f64]| {
         watch().then(|| evaluated(feeder, variables, uncertain, ModelKind::StewartTrinkle, None).passes())
     };
-    let one = |run: u64| passes(variables, &drawn(feeder, seed, run)).map(u64::from);
+    let one = |run: u64| passes(variables, &drawn(&feeder.uncertain, seed, run)).map(u64::from);
     let passed = (0..draws).into_par_iter().map(one).try_reduce(|| 0, |a, b| Some(a + b))?;
     let nominal = feeder.nominal();
     let reach = |(index, end): (usize, f64)| {

@@ -1,8 +1,8 @@
 //! The search for dimensions: an evolution strategy over the unit box, its evaluations screened by a coarse step.
 
 use super::objective::evaluated;
-use super::robust::drawn;
-use crate::answer::{DesignCheck, Evaluation, FeederDesign, FeederPlan};
+use super::score::{Score, Scoring, SearchOptions};
+use crate::answer::{DesignCheck, Evaluation, FeederPlan};
 use crate::dynamics::ModelKind;
 use crate::model::Feeder;
 use cmaes::{CMAES, CMAESOptions, DVector};
@@ -19,41 +19,8 @@ const AGAIN: f64 = 0.1;
 /// Cost of leaving the bounds, for each squared share of the range.
 const OUTSIDE: f64 = 10.0;
 
-/// Steps of the checks over that of the case: the last is the screen.
-const HALF: f64 = 0.5;
-const TENTH: f64 = 0.1;
-const SCREEN: f64 = 2.0;
-
-/// Step of the compliant check over that of the case.
-const COMPLIANT: f64 = 0.02;
-
-/// Step of a case that states none (s).
-const STEP: f64 = 1e-3;
-
 /// Designs whose checks are tried, best first.
 const CANDIDATES: usize = 24;
-
-/// How a search goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SearchOptions {
-    /// Evaluations of the objective.
-    pub evaluations: usize,
-    /// Seed of the search and of draws.
-    pub seed: u64,
-    /// Whether the worst entry counts, instead of all together.
-    pub worst: bool,
-    /// Draws of what is uncertain that each design which passes is tried with.
-    pub draws: u64,
-}
-
-/// What the search sees of a design.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Score {
-    /// The largest cost of the steps looked at, or their mean over draws.
-    pub cost: f64,
-    /// Whether all entries passed at all steps.
-    pub passes: bool,
-}
 
 /// Remembers scores, so that a search that was killed goes on where it was.
 pub trait Journal: Sync {
@@ -72,6 +39,7 @@ pub fn design(feeder: &Feeder, options: &SearchOptions, journal: &dyn Journal) -
         feeder,
         options,
         journal,
+        scoring: Scoring::new(feeder, options),
         is_over: AtomicBool::new(false),
         done: AtomicUsize::new(0),
         generation: Mutex::new(Vec::new()),
@@ -83,17 +51,27 @@ pub fn design(feeder: &Feeder, options: &SearchOptions, journal: &dyn Journal) -
     let mut passing: Vec<&(Vec<f64>, Score)> = seen.iter().filter(|(_, score)| score.passes).collect();
     passing.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
     passing.dedup_by(|a, b| a.0 == b.0);
-    let mut fragile = 0;
-    let (mut best, mut checks) = (None, Vec::new());
+    let (mut fragile, mut found): (usize, Option<(&[f64], Vec<DesignCheck>)>) = (0, None);
     for (variables, _) in passing.into_iter().take(CANDIDATES) {
-        let found = search.checks(variables);
-        if found.iter().all(|check| check.design.passes()) {
-            best = Some(evaluated(feeder, variables, &nominal, ModelKind::StewartTrinkle, None));
-            checks = found;
+        let checks = search.scoring.checks(variables);
+        let passes =
+            |model: &str| checks.iter().filter(|check| check.model == model).all(|check| check.design.passes());
+        if !passes("st") {
+            fragile += 1;
+            continue;
+        }
+        // one that also passes where surfaces give way is better, but surfaces may be said to give way as no real ones do
+        let is_best = passes("spk");
+        if is_best || found.is_none() {
+            found = Some((variables, checks));
+        }
+        if is_best {
             break;
         }
-        fragile += 1;
     }
+    let designed = |variables: &[f64]| evaluated(feeder, variables, &nominal, ModelKind::StewartTrinkle, None);
+    let best = found.as_ref().map(|(variables, _)| designed(variables));
+    let checks = found.map(|(_, checks)| checks).unwrap_or_default();
     FeederPlan { start, best, checks, trace, fragile, robust: None, limit: None }
 }
 
@@ -101,6 +79,7 @@ struct Search<'a> {
     feeder: &'a Feeder,
     options: &'a SearchOptions,
     journal: &'a dyn Journal,
+    scoring: Scoring<'a>,
     is_over: AtomicBool,
     done: AtomicUsize,
     /// Designs of this generation, in the order in which they were done.
@@ -182,7 +161,7 @@ impl Search<'_> {
             outside += (share - inside).powi(2);
             variables.push(variable.low + inside * (variable.high - variable.low));
         }
-        let score = self.journal.known(&variables).unwrap_or_else(|| self.score(&variables));
+        let score = self.journal.known(&variables).unwrap_or_else(|| self.scoring.score(&variables));
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if !self.journal.add(&variables, score, done) {
             self.is_over.store(true, Ordering::Relaxed);
@@ -191,57 +170,5 @@ impl Search<'_> {
             generation.push((variables, score));
         }
         score.cost + OUTSIDE * outside
-    }
-
-    /// The cheapest model first: a coarse step, and finer ones for what passes it. The largest cost counts, since what the step
-    /// decides is not to be trusted.
-    fn score(&self, variables: &[f64]) -> Score {
-        let (mut cost, nominal): (f64, _) = (0.0, self.feeder.nominal());
-        for share in [SCREEN, 1.0, HALF] {
-            let found = self.at(variables, &nominal, share);
-            cost = cost.max(self.cost(&found));
-            if !found.passes() {
-                return Score { cost, passes: false };
-            }
-        }
-        let draws = self.options.draws;
-        for run in 0..draws {
-            let found = self.at(variables, &drawn(self.feeder, self.options.seed, run), 1.0);
-            // what fails under a draw is worse than what passes slowly
-            cost += self.cost(&found) / draws as f64;
-        }
-        Score { cost, passes: true }
-    }
-
-    fn at(&self, variables: &[f64], uncertain: &[f64], share: f64) -> FeederDesign {
-        evaluated(self.feeder, variables, uncertain, ModelKind::StewartTrinkle, Some(share * self.step(uncertain)))
-    }
-
-    /// The step of the case.
-    fn step(&self, uncertain: &[f64]) -> f64 {
-        let worlds = self.feeder.device.scenes(&self.feeder.start(), uncertain).unwrap_or_default();
-        worlds.first().and_then(|world| world.step).unwrap_or(STEP)
-    }
-
-    fn cost(&self, design: &FeederDesign) -> f64 {
-        let worst = design.runs.iter().map(|run| run.cost).fold(0.0, f64::max);
-        if self.options.worst { design.runs.len() as f64 * worst } else { design.cost }
-    }
-
-    /// A design at smaller steps, and by Song, Pang and Kumar's model where its surfaces may give way.
-    fn checks(&self, variables: &[f64]) -> Vec<DesignCheck> {
-        let nominal = self.feeder.nominal();
-        let step = self.step(&nominal);
-        let is_compliant = self.feeder.device.scenes(variables, &nominal).is_ok_and(|worlds| {
-            worlds.iter().all(|world| world.materials.iter().all(|material| material.compliance.is_some()))
-        });
-        let check = |model: ModelKind, name: &'static str, share: f64| DesignCheck {
-            model: name,
-            step: share * step,
-            design: evaluated(self.feeder, variables, &nominal, model, Some(share * step)),
-        };
-        let rigid = [HALF, TENTH].map(|share| check(ModelKind::StewartTrinkle, "st", share));
-        let compliant = is_compliant.then(|| check(ModelKind::SongPangKumar, "spk", COMPLIANT));
-        rigid.into_iter().chain(compliant).collect()
     }
 }

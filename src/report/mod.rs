@@ -13,7 +13,7 @@ mod phrase;
 
 pub use motion::{Run, Shown};
 
-use crate::model::{Conveyor, Fixture, Part, Range, Thrower};
+use crate::model::{Conveyor, Feeder, Fixture, Part, Range, Thrower};
 use num_traits::Zero as _;
 
 /// What an answer is about.
@@ -44,6 +44,19 @@ pub struct Ride<'a> {
     pub end: Option<usize>,
     /// How many pins were allowed.
     pub max_pins: Option<usize>,
+}
+
+/// What an answer about a device is about.
+#[derive(Debug, Clone, Copy)]
+pub struct Chute<'a> {
+    /// Name of the case, or of its file.
+    pub name: &'a str,
+    /// The device.
+    pub feeder: &'a Feeder,
+    /// Seed of the search.
+    pub seed: u64,
+    /// Warnings of the reader.
+    pub warnings: &'a [String],
 }
 
 /// What an answer about throws is about.

@@ -2,14 +2,33 @@
 
 use super::decimal::{self, Span, brief, near};
 use super::motion::{self, Run, Shown};
-use super::{Ride, Subject, Toss};
+use super::{Chute, Ride, Subject, Toss};
 use crate::answer::{
-    Action, Arc, ArcSet, CounterExample, EmptyReason, FingerSet, Insertion, Interval, Pins, Proposal, Simulation,
-    Stability, Status, Suggestion, Throw,
+    Action, Arc, ArcSet, CounterExample, EmptyReason, FeederPlan, FingerSet, Insertion, Interval, Pins, Proposal,
+    Simulation, Stability, Status, Suggestion, Throw,
 };
 use crate::exact::{Q, to_f64};
 use crate::model::{Range, Shape};
 use num_traits::{One as _, Signed as _, Zero as _};
+
+/// The answer of `plan feeder` in one line.
+pub(super) fn feeder(chute: &Chute, answer: &FeederPlan) -> String {
+    let entries = match chute.feeder.entries.len() {
+        1 => "its entry".to_owned(),
+        n => format!("all {n} entries"),
+    };
+    let evaluations = answer.trace.len();
+    match &answer.best {
+        Some(best) => format!(
+            "parts leave as they are to from {entries} in the time-stepper; cost {} s, {} s at first",
+            near(best.cost, 4),
+            near(answer.start.cost, 4)
+        ),
+        None => {
+            format!("no design was confirmed in {evaluations} evaluations; allow more (--evaluations), or wider bounds")
+        }
+    }
+}
 
 /// The answer of `plan insert` in one line.
 pub(super) fn insertion(subject: &Subject, answer: &Insertion) -> String {

@@ -1,7 +1,9 @@
 //! Pages that play a run or throws: one file each, without references to any other.
 
+mod feeder;
 mod throw;
 
+pub use feeder::feeder;
 pub use throw::throw;
 
 use super::motion::{self, Run, Shown};
@@ -16,7 +18,7 @@ const SCRIPT: &str = include_str!("player.js");
 #[must_use]
 pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
     let remark = "Arrows are contact impulses, their length by the square root. Energy is kinetic and potential.";
-    page(run.name, &phrase::simulation(run, answer), remark, &data(run, answer))
+    page(run.name, &phrase::simulation(run, answer), remark, &simulation_data(run, answer))
 }
 
 /// A page that plays frames; `data` is what its script reads.
@@ -57,7 +59,7 @@ fn page(name: &str, said: &str, remark: &str, data: &Value) -> String {
 }
 
 /// What the script plays.
-fn data<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Value {
+fn simulation_data<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> Value {
     let world = run.world;
     let frames = motion::sound(run, answer);
     let poses = |frame: &&Frame<S>| frame.poses.iter().map(|pose| json!(pose.as_ref())).collect::<Value>();

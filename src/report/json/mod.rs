@@ -1,5 +1,6 @@
 //! JSON documents as FORMATS.md names them.
 
+mod feeder;
 mod friction;
 mod layout;
 mod number;
@@ -14,6 +15,7 @@ mod throw;
 mod verification;
 mod witness;
 
+pub use feeder::{FEEDER, feeder};
 pub use layout::document;
 pub use pins::{PINS, pins, undecided_pins};
 pub use polyhedron::{CONVERT, polyhedron, undecided_polyhedron};

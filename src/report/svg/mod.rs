@@ -15,7 +15,7 @@ mod tilt;
 mod view;
 
 pub use pins::pins;
-pub use simulation::simulation;
+pub use simulation::{feeder, simulation};
 pub use suggest::suggestion;
 pub use throw::throw;
 

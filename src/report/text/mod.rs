@@ -1,6 +1,7 @@
 //! Text for people: the answer first.
 
 mod cone;
+mod feeder;
 mod friction;
 mod insert;
 mod lines;
@@ -15,6 +16,7 @@ mod verification;
 mod witness;
 
 pub use cone::{cones, judged_cones};
+pub use feeder::feeder;
 pub use insert::insertion;
 pub use pins::pins;
 pub use polyhedron::polyhedron_notes;

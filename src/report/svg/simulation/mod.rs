@@ -1,11 +1,13 @@
 //! A run: bodies at chosen times, light to dark, the paths of their centers of mass, and what is fixed.
 
 mod clip;
+mod feeder;
 mod panel;
 mod shades;
 mod snapshots;
 
 pub(super) use clip::hatching;
+pub use feeder::feeder;
 
 use super::canvas::{Align, At, Canvas, INK, MUTED, Pen};
 use super::legend::{Legend, Swatch};
