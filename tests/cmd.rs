@@ -5,6 +5,11 @@ fn documented_commands_print_what_is_documented() {
     trycmd::TestCases::new().case("tests/cmd/*.trycmd").run();
 }
 
+/// What README asks of a command besides: a whole search takes minutes in a build for tests.
+fn more(command: &str) -> &'static [&'static str] {
+    if command == "feeder" { &["--evaluations", "200"] } else { &[] }
+}
+
 /// README shows what its commands print; the binary is the same, the way to start it may be shorter.
 #[test]
 fn readme_shows_what_the_plans_print() {
@@ -14,12 +19,15 @@ fn readme_shows_what_the_plans_print() {
         ("plan pins", "pins", "three_pins", "```"),
         ("plan throw", "throw", "throw_triangle", "```"),
         ("plan simulate", "simulate", "peg_drop", "```"),
+        ("plan feeder", "feeder", "feeder", "```"),
     ];
     for (start, command, case, end) in examples {
-        let case = format!("cases/{case}.json");
-        let (_, rest) = readme.split_once(&format!("$ {start} {case}\n")).expect("README shows the command");
+        let (case, more) = (format!("cases/{case}.json"), more(command));
+        let asked = [&[case.as_str()], more].concat();
+        let (_, rest) =
+            readme.split_once(&format!("$ {start} {}\n", asked.join(" "))).expect("README shows the command");
         let (shown, _) = rest.split_once(end).expect("the example ends");
-        let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan")).args([command, &case]).output().unwrap();
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan")).arg(command).args(asked).output().unwrap();
         assert!(run.status.success());
         assert_eq!(String::from_utf8(run.stdout).unwrap().trim_end(), shown.trim_end());
     }
@@ -34,12 +42,14 @@ fn the_pictures_in_readme_are_those_drawn_today() {
         ("pins", "three_pins", include_str!("../cases/three_pins.svg")),
         ("throw", "throw_triangle", include_str!("../cases/throw_triangle.svg")),
         ("simulate", "peg_drop", include_str!("../cases/peg_drop.svg")),
+        ("feeder", "feeder", include_str!("../cases/feeder.svg")),
     ];
     for (command, case, shown) in pictures {
         let drawn = folder.join("drawn.svg");
         let run = std::process::Command::new(env!("CARGO_BIN_EXE_plan"))
             .args([command, &format!("cases/{case}.json"), "--svg"])
             .arg(&drawn)
+            .args(more(command))
             .output()
             .unwrap();
         assert!(run.status.success());

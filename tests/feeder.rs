@@ -186,7 +186,7 @@ fn what_is_wrong_with_a_device_is_said_where_it_is() {
             "C073",
             "feeder.uncertain.radius",
         ),
-        (codes("", ""), "C013", "feeder.variables"),
+        (codes("", ""), "C012", "feeder.variables"),
         (
             codes(GAP, &post(r#"{"polygon": [[0, 0], ["gap", "gap"], ["gap", 0], [0, "gap"]]}"#)),
             "C034",

@@ -149,6 +149,7 @@ pub fn missing_section(section: &'static str) -> Fault {
         "insert" => SMALLEST_INSERT,
         "pins" => SMALLEST_PINS,
         "scene" => scene::SMALLEST_SCENE,
+        "feeder" => scene::SMALLEST_FEEDER,
         "throw" => SMALLEST_THROW,
         _ => "",
     };

@@ -2,7 +2,7 @@
 
 use super::objective::evaluated;
 use super::score::{Score, Scoring, SearchOptions};
-use crate::answer::{DesignCheck, Evaluation, FeederPlan};
+use crate::answer::{Evaluation, FeederPlan};
 use crate::dynamics::ModelKind;
 use crate::model::Feeder;
 use cmaes::{CMAES, CMAESOptions, DVector};
@@ -51,7 +51,7 @@ pub fn design(feeder: &Feeder, options: &SearchOptions, journal: &dyn Journal) -
     let mut passing: Vec<&(Vec<f64>, Score)> = seen.iter().filter(|(_, score)| score.passes).collect();
     passing.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
     passing.dedup_by(|a, b| a.0 == b.0);
-    let (mut fragile, mut found): (usize, Option<(&[f64], Vec<DesignCheck>)>) = (0, None);
+    let (mut fragile, mut found) = (0, None);
     for (variables, _) in passing.into_iter().take(CANDIDATES) {
         let checks = search.scoring.checks(variables);
         let passes =
@@ -69,7 +69,7 @@ pub fn design(feeder: &Feeder, options: &SearchOptions, journal: &dyn Journal) -
             break;
         }
     }
-    let designed = |variables: &[f64]| evaluated(feeder, variables, &nominal, ModelKind::StewartTrinkle, None);
+    let designed = |variables: &Vec<f64>| evaluated(feeder, variables, &nominal, ModelKind::StewartTrinkle, None);
     let best = found.as_ref().map(|(variables, _)| designed(variables));
     let checks = found.map(|(_, checks)| checks).unwrap_or_default();
     FeederPlan { start, best, checks, trace, fragile, robust: None, limit: None }

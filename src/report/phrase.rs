@@ -15,6 +15,7 @@ use num_traits::{One as _, Signed as _, Zero as _};
 pub(super) fn feeder(chute: &Chute, answer: &FeederPlan) -> String {
     let entries = match chute.feeder.entries.len() {
         1 => "its entry".to_owned(),
+        2 => "both entries".to_owned(),
         n => format!("all {n} entries"),
     };
     let evaluations = answer.trace.len();

@@ -11,7 +11,7 @@ use crate::model::{Feeder, Goal, Planar, Rest, Uncertain, Variable, World};
 use jsonc_parser::ast::{ObjectProp, Value};
 
 /// The smallest `feeder` section.
-const SMALLEST_FEEDER: &str = r#""feeder": {"variables": {"gap": {"min": 0.01, "max": 0.05, "start": 0.02}}, "entries": [{"pose": [0, 1, 0]}], "goal": {"pose": [0, -1, 0]}, "scene": {"duration": 1, "friction": 0.2, "bodies": [{"shape": {"circle": {"center": [0, 0], "radius": 0.01}}, "mass": 1}], "fixed": [{"shape": {"polygon": [["gap", 0], [1, 0], [1, 0.1], ["gap", 0.1]]}}]}}"#;
+pub const SMALLEST_FEEDER: &str = r#""feeder": {"variables": {"gap": {"min": 0.01, "max": 0.05, "start": 0.02}}, "entries": [{"pose": [0, 1, 0]}], "goal": {"pose": [0, -1, 0]}, "scene": {"duration": 1, "friction": 0.2, "bodies": [{"shape": {"circle": {"center": [0, 0], "radius": 0.01}}, "mass": 1}], "fixed": [{"shape": {"polygon": [["gap", 0], [1, 0], [1, 0.1], ["gap", 0.1]]}}]}}"#;
 
 const VARIABLES_HELP: &str = r#"write "variables": {"gap": {"min": 0.01, "max": 0.05, "start": 0.02}}"#;
 const UNCERTAIN_HELP: &str = r#"write "uncertain": {"mu": {"value": 0.2, "off": 0.02}}"#;

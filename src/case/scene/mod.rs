@@ -11,6 +11,7 @@ mod shape;
 mod spatial;
 mod template;
 
+pub(super) use feeder::SMALLEST_FEEDER;
 pub use feeder::{FeederCase, read_feeder};
 
 use super::kind::FaultKind;

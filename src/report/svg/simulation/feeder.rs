@@ -76,8 +76,8 @@ fn snapshots(
             .map_or_else(String::new, |run| format!("{} after {} s", run.fate.name(), near(run.time, 3)));
         let entry = chute.feeder.entries.get(film.entry).map_or("", String::as_str);
         let title = format!("{}: {}", film.design, shortened(entry, 40));
-        page.text(At::new(low.x, low.y - 23.0), Align::Left, 12.5, INK, true, &title);
-        page.text(At::new(low.x, low.y - 8.0), Align::Left, 12.0, MUTED, false, &fate);
+        page.text(At::new(low.x, low.y - 24.0), Align::Left, 12.5, INK, true, &title);
+        page.text(At::new(low.x, low.y - 9.0), Align::Left, 12.0, MUTED, false, &fate);
         panel.draw(page, legend, &Room { low, high: At::new(low.x + wide, low.y + highest * scale), scale });
     }
     top + HEADING + highest * scale + FOOT + 10.0
