@@ -175,7 +175,7 @@ fn what_is_wrong_with_a_device_is_said_where_it_is() {
     let cases = [
         (codes(GAP, &circle("\"gap +\"")), "C086", radius),
         (codes(GAP, &circle("\"gpa\"")), "C087", radius),
-        (codes(GAP, &circle("\"1/(gap - 0.015)\"")), "C089", ""),
+        (codes(GAP, &circle("\"1/(gap - 0.015)\"")), "C089", radius),
         (codes(GAP, &circle("\"gap - 0.02\"")), "C022", radius),
         (codes(r#""max": {"min": 0, "max": 1, "start": 0.5}"#, ""), "C088", "feeder.variables.max"),
         (codes(r#""2b": {"min": 0, "max": 1, "start": 0.5}"#, ""), "C088", "feeder.variables.2b"),

@@ -1,16 +1,20 @@
 //! Arithmetic in named numbers, as a case may write it where a number is expected.
 
-use exmex::{BinOp, Express as _, FlatEx, MakeOperators, Operator};
+use exmex::{BinOp, Express as _, FlatEx, MakeOperators, MatchLiteral, Operator};
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// An expression whose names are places in a list of values.
 #[derive(Debug, Clone)]
 pub(super) struct Expression {
-    tree: FlatEx<f64, Functions>,
+    tree: FlatEx<f64, Functions, Numbers>,
     values: Vec<usize>,
-    /// Its text, and where that is in the file.
-    pub place: (String, Range<usize>),
+    /// Its text.
+    pub text: String,
+    /// Where that is in the file.
+    pub span: Range<usize>,
+    /// Where it is in the document.
+    pub path: String,
 }
 
 /// Why a text is no expression.
@@ -24,12 +28,12 @@ pub(super) enum NoExpression {
 
 impl Expression {
     /// Reads `text`, with the names that values are given for.
-    pub fn new(text: &str, names: &[String], span: Range<usize>) -> Result<Self, NoExpression> {
+    pub fn new(text: &str, names: &[String], span: Range<usize>, path: String) -> Result<Self, NoExpression> {
         let tree = FlatEx::parse(text).map_err(|error| NoExpression::Syntax(error.to_string()))?;
         let place = |name: &String| names.iter().position(|known| known == name);
         let value = |name| place(name).ok_or_else(|| NoExpression::Name(name.clone()));
         let values = tree.var_names().iter().map(value).collect::<Result<_, _>>()?;
-        Ok(Self { tree, values, place: (text.to_owned(), span) })
+        Ok(Self { tree, values, text: text.to_owned(), span, path })
     }
 
     /// Its value; not a number where it has none.
@@ -75,12 +79,35 @@ impl MakeOperators<f64> for Functions {
     }
 }
 
+/// Numbers as JSON has them, without a sign.
+#[derive(Debug, Clone)]
+struct Numbers;
+
+impl MatchLiteral for Numbers {
+    fn is_literal(text: &str) -> Option<&str> {
+        let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+        let mut end = digits(0);
+        if end == 0 {
+            return None;
+        }
+        if text[end..].starts_with('.') {
+            end += 1 + digits(end + 1);
+        }
+        if text[end..].starts_with(['e', 'E']) {
+            let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
+            let exponent = digits(end + 1 + sign);
+            end += if exponent > 0 { 1 + sign + exponent } else { 0 };
+        }
+        Some(&text[..end])
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn value(text: &str) -> f64 {
-        Expression::new(text, &["e".to_owned(), "th".to_owned()], 0..0).unwrap().value(&[2.0, 0.5])
+        Expression::new(text, &["e".to_owned(), "th".to_owned()], 0..0, String::new()).unwrap().value(&[2.0, 0.5])
     }
 
     #[test]
@@ -100,9 +127,12 @@ mod tests {
     #[test]
     fn what_is_none_says_why() {
         let names = ["e".to_owned()];
-        assert_eq!(Expression::new("2*f", &names, 0..0).unwrap_err(), NoExpression::Name("f".to_owned()));
+        assert_eq!(
+            Expression::new("2*f", &names, 0..0, String::new()).unwrap_err(),
+            NoExpression::Name("f".to_owned())
+        );
         for text in ["", "1 +", "(e", "e e", "2 ** e", "foo(e)", "e;"] {
-            assert!(Expression::new(text, &names, 0..0).is_err(), "{text}");
+            assert!(Expression::new(text, &names, 0..0, String::new()).is_err(), "{text}");
         }
     }
 }

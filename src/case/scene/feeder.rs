@@ -90,11 +90,9 @@ impl Reader {
         let numbers = match template.numbers(variables, uncertain) {
             Ok(numbers) => numbers,
             Err(at) => {
-                let (text, span) = &template.expressions[at].place;
-                let kind = FaultKind::NoValue { text: clipped(text) };
-                self.push(
-                    Fault::new(kind).at(span.clone()).help("choose another start, or bounds that keep it finite"),
-                );
+                let Expression { text, span, path, .. } = &template.expressions[at];
+                let fault = Fault::new(FaultKind::NoValue { text: clipped(text) }).at(span.clone()).on(path.clone());
+                self.push(fault.help("choose another start, or bounds that keep it finite"));
                 return;
             }
         };
@@ -130,7 +128,7 @@ impl Reader {
         let path = path.key("variables");
         let properties = self.named(value, &path, VARIABLES_HELP, names)?;
         if properties.is_empty() {
-            self.wrong_type("an object with a dimension at least", value, &path, VARIABLES_HELP);
+            self.wrong_type("an object that names a dimension", value, &path, VARIABLES_HELP);
             return None;
         }
         let variable = |property: &ObjectProp| {
@@ -257,7 +255,7 @@ impl Reader {
                 return None;
             }
         };
-        match Expression::new(text, names, span_of(value)) {
+        match Expression::new(text, names, span_of(value), path.to_string()) {
             Ok(expression) => Some(expression),
             Err(NoExpression::Syntax(why)) => {
                 let kind = FaultKind::Expression { text: clipped(text), why };
@@ -282,7 +280,7 @@ impl Reader {
         let path = path.key("entries");
         let elements = &self.array(value, &path, ENTRIES_HELP)?.elements;
         if elements.is_empty() {
-            self.wrong_type("a list with an entry at least", value, &path, ENTRIES_HELP);
+            self.wrong_type("a list that is not empty", value, &path, ENTRIES_HELP);
             return None;
         }
         let mut names = Vec::new();

@@ -37,8 +37,8 @@ impl Template {
 impl Device for Template {
     fn scenes(&self, variables: &[f64], uncertain: &[f64]) -> Result<Vec<World<Planar>>, String> {
         let numbers = self.numbers(variables, uncertain).map_err(|index| {
-            let (text, _) = &self.expressions[index].place;
-            format!("`{text}` has no finite value")
+            let Expression { text, path, .. } = &self.expressions[index];
+            format!("{path}: `{text}` has no finite value")
         })?;
         let tree = text::parse(&self.text).map_err(|fault| fault.kind().to_string())?;
         let mut reader = Reader::default();
