@@ -335,6 +335,7 @@ impl Experiment for InsertTrials {
             lost: LOST * start.widest,
             still: STILL * time(&start, self.seat.size) * self.seat.size,
             dwelt: [0; 2],
+            was_seated: false,
             is_still: false,
             ending: None,
         };
@@ -394,7 +395,9 @@ struct Watch<'a> {
     still: f64,
     /// Steps for which the part has been seated, and at rest elsewhere.
     dwelt: [usize; 2],
-    /// Whether it moves no longer.
+    /// Whether it has been seated for long enough.
+    was_seated: bool,
+    /// Whether it is seated and moves no longer.
     is_still: bool,
     ending: Option<Ending>,
 }
@@ -411,8 +414,12 @@ impl Watch<'_> {
         self.is_still = moment.time > 0.0 && length([vx, vy]) + seat.size * spin.abs() <= self.still;
         let count = |is_so: bool, steps: usize| if is_so { steps + 1 } else { 0 };
         self.dwelt = [count(widest <= self.closed, self.dwelt[0]), count(self.is_still, self.dwelt[1])];
-        // what spins when it arrives may still come to rest
-        self.ending = if self.dwelt[0] > if self.is_still { DWELL } else { HELD } {
+        let is_seated = self.dwelt[0] > DWELL;
+        self.was_seated |= is_seated;
+        // what moves when it arrives may still come to rest, or leave again
+        let is_told = self.is_still || self.dwelt[0] > HELD || widest > self.closed;
+        self.is_still &= is_seated;
+        self.ending = if self.was_seated && is_told {
             Some(Ending::Confirmed)
         } else if widest > self.closed && self.dwelt[1] > DWELL {
             Some(Ending::Refuted(format!("rests with {} free", self.trials.state(&pose, self.closed))))
