@@ -15,7 +15,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("answer", &["exact", "model"]),
     ("dynamics", &["answer", "complementarity", "exact", "geometry", "model"]),
     ("verify", &["answer", "complementarity", "dynamics", "exact", "geometry", "model"]),
-    ("design", &["answer", "dynamics", "model"]),
+    ("design", &["answer", "dynamics", "model", "verify"]),
     ("planner", &["answer", "cone", "exact", "geometry", "mechanics", "model"]),
     ("case", &["exact", "geometry", "model"]),
     ("report", &["answer", "exact", "geometry", "model"]),

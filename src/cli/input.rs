@@ -80,15 +80,10 @@ fn task<S>(
     section: Section,
     take: impl FnOnce(&mut Case) -> Option<S>,
 ) -> Result<Task<S>, Failure> {
-    let shown = if common.case == "-" { "standard input" } else { &common.case };
-    let bytes = bytes(&common.case, common.max_bytes, "part.json")?;
-    let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
-    let mut case = case::read_for(section, &bytes, limits).map_err(|faults| refuse(&faults))?;
-    let section = take(&mut case).ok_or_else(|| refuse(&[case::missing_section(section.key())]))?;
-    for warning in &case.warnings {
-        output::complain(&format!("warning: {shown}: {warning}"));
-    }
-    let name = case.name.clone().unwrap_or_else(|| stem(&common.case));
+    let (mut case, bytes) = read(common, "part.json", |bytes| case::read_for(section, bytes, limits))?;
+    let section = take(&mut case).ok_or_else(|| refused(common, &bytes, &[case::missing_section(section.key())]))?;
+    warn(common, &case.warnings);
+    let name = named(common, case.name.as_deref());
     Ok(Task { name, case, section })
 }
 
@@ -105,17 +100,12 @@ pub struct SceneTask {
 
 /// Reads a case with a `scene` section and says its warnings on standard error.
 pub fn scene(common: &Common) -> Result<SceneTask, Failure> {
-    let shown = if common.case == "-" { "standard input" } else { &common.case };
-    let bytes = bytes(&common.case, common.max_bytes, "scene.json")?;
-    let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
-    let case = case::read_scene(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
-    for warning in case.warnings.iter().take(MOST_WARNINGS) {
-        output::complain(&format!("warning: {shown}: {warning}"));
-    }
+    let (case, _) = read(common, "scene.json", |bytes| case::read_scene(bytes, &common.case_limits()))?;
+    warn(common, &case.warnings[..case.warnings.len().min(MOST_WARNINGS)]);
     if let Some(more) = case.warnings.len().checked_sub(MOST_WARNINGS).filter(|more| *more > 0) {
-        output::complain(&format!("warning: {shown}: and {more} warnings more (--format json lists all)"));
+        warn(common, &[format!("and {more} warnings more (--format json lists all)")]);
     }
-    Ok(SceneTask { name: case.name.clone().unwrap_or_else(|| stem(&common.case)), case })
+    Ok(SceneTask { name: named(common, case.name.as_deref()), case })
 }
 
 /// A device and what it is called.
@@ -130,15 +120,43 @@ pub struct FeederTask {
 
 /// Reads a case with a `feeder` section and says its warnings on standard error.
 pub fn feeder(common: &Common) -> Result<FeederTask, Failure> {
-    let shown = if common.case == "-" { "standard input" } else { &common.case };
-    let bytes = bytes(&common.case, common.max_bytes, "feeder.json")?;
-    let refuse = |faults: &[case::Fault]| Failure::Case(case::render(faults, shown, &bytes, common.color.on_stderr()));
-    let case = case::read_feeder(&bytes, &common.case_limits()).map_err(|faults| refuse(&faults))?;
-    for warning in &case.warnings {
-        output::complain(&format!("warning: {shown}: {warning}"));
-    }
-    let name = case.name.clone().unwrap_or_else(|| stem(&common.case));
+    let (case, bytes) = read(common, "feeder.json", |bytes| case::read_feeder(bytes, &common.case_limits()))?;
+    warn(common, &case.warnings);
+    let name = named(common, case.name.as_deref());
     Ok(FeederTask { name, case, digest: digest(&String::from_utf8_lossy(&bytes)) })
+}
+
+/// What a file says, and its bytes.
+fn read<T>(
+    common: &Common,
+    example: &'static str,
+    read: impl FnOnce(&[u8]) -> Result<T, Vec<case::Fault>>,
+) -> Result<(T, Vec<u8>), Failure> {
+    let bytes = bytes(&common.case, common.max_bytes, example)?;
+    match read(&bytes) {
+        Ok(case) => Ok((case, bytes)),
+        Err(faults) => Err(refused(common, &bytes, &faults)),
+    }
+}
+
+fn refused(common: &Common, bytes: &[u8], faults: &[case::Fault]) -> Failure {
+    Failure::Case(case::render(faults, shown(common), bytes, common.color.on_stderr()))
+}
+
+fn warn(common: &Common, warnings: &[String]) {
+    for warning in warnings {
+        output::complain(&format!("warning: {}: {warning}", shown(common)));
+    }
+}
+
+/// What messages call the file.
+fn shown(common: &Common) -> &str {
+    if common.case == "-" { "standard input" } else { &common.case }
+}
+
+/// The name of a case, or of its file.
+fn named(common: &Common, name: Option<&str>) -> String {
+    name.map_or_else(|| stem(&common.case), str::to_owned)
 }
 
 /// One byte more than the limit is enough to know that there are too many.

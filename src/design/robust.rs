@@ -4,8 +4,7 @@ use super::objective::evaluated;
 use crate::answer::{Robustness, wilson};
 use crate::dynamics::ModelKind;
 use crate::model::{Feeder, Uncertain};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
+use crate::verify::Draw;
 use rayon::prelude::*;
 
 /// First departure tried over the range of a variable, and bisections after the first that fails.
@@ -15,10 +14,13 @@ const BISECTIONS: usize = 5;
 /// What is uncertain, drawn within its limits: draw `run` of a seed.
 #[must_use]
 pub(super) fn drawn(uncertain: &[Uncertain], seed: u64, run: u64) -> Vec<f64> {
-    let mut stream = ChaCha8Rng::seed_from_u64(seed);
-    stream.set_stream(run);
-    let mut unit = || (stream.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-    uncertain.iter().map(|one| one.value + one.off * (2.0 * unit() - 1.0)).collect()
+    offsets(uncertain.len(), seed, run).zip(uncertain).map(|(offset, one)| one.value + one.off * offset).collect()
+}
+
+/// Numbers between -1 and 1: those of draw `run` of a seed.
+pub(super) fn offsets(count: usize, seed: u64, run: u64) -> impl Iterator<Item = f64> {
+    let mut draw = Draw::new(seed, run);
+    (0..count).map(move |_| 2.0 * draw.unit() - 1.0)
 }
 
 /// The yield of a design over so many draws of what is uncertain, and how far each variable may be off by itself; `None` where

@@ -1,10 +1,10 @@
 //! What the search sees of a design: the cheapest model first, finer ones for what passes it.
 
 use super::objective::evaluated;
-use super::robust::drawn;
+use super::robust::{drawn, offsets};
 use crate::answer::{DesignCheck, EntryFate, EntryRun, FeederDesign};
 use crate::dynamics::ModelKind;
-use crate::model::{Feeder, Planar, Uncertain, Variable, World};
+use crate::model::{Feeder, Planar, Variable, World};
 
 /// Steps of the checks over that of the case: the last is the screen.
 const HALF: f64 = 0.5;
@@ -87,15 +87,12 @@ impl<'a> Scoring<'a> {
 
     /// A design next to another one, the same for every design but for where that is.
     fn nearby(&self, variables: &[f64], run: u64) -> Vec<f64> {
-        let off = |variable: &Variable| Uncertain {
-            name: String::new(),
-            value: 0.0,
-            off: NEAR * (variable.high - variable.low),
-        };
-        let off: Vec<Uncertain> = self.feeder.variables.iter().map(off).collect();
-        let moved = drawn(&off, self.options.seed, run);
         let bounds = &self.feeder.variables;
-        moved.iter().zip(variables).zip(bounds).map(|((off, at), b)| (at + off).clamp(b.low, b.high)).collect()
+        let places = offsets(bounds.len(), self.options.seed, run).zip(variables).zip(bounds);
+        let moved = |((offset, at), bounds): ((f64, &f64), &Variable)| {
+            (at + NEAR * (bounds.high - bounds.low) * offset).clamp(bounds.low, bounds.high)
+        };
+        places.map(moved).collect()
     }
 
     fn at(&self, variables: &[f64], uncertain: &[f64], share: f64) -> FeederDesign {

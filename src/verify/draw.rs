@@ -5,9 +5,11 @@ use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
 /// The numbers of one run.
 #[derive(Debug, Clone)]
-pub(super) struct Draw(ChaCha8Rng);
+pub struct Draw(ChaCha8Rng);
 
 impl Draw {
+    /// Those of run `run` of a seed.
+    #[must_use]
     pub fn new(seed: u64, run: u64) -> Self {
         let mut stream = ChaCha8Rng::seed_from_u64(seed);
         stream.set_stream(run);

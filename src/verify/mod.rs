@@ -10,6 +10,7 @@ mod pins;
 mod seat;
 mod throw;
 
+pub use draw::Draw;
 pub use experiment::{Ending, Experiment, Trial, tally, verification};
 pub use insert::{InsertTrials, Push};
 pub use pins::PinTrials;

@@ -4,6 +4,7 @@ use super::simulation_data;
 use crate::answer::{FeederPlan, Film, Frame, Simulation};
 use crate::model::{Obstacle, Planar, PlanarShape, World};
 use crate::report::motion::{Outline, Run, Shown};
+use crate::report::svg::{At, within};
 use crate::report::{Chute, phrase};
 
 /// Time between two frames (s).
@@ -96,12 +97,10 @@ fn window(film: &Film) -> [[f64; 2]; 2] {
 fn moved(shape: &PlanarShape, [low, high]: [[f64; 2]; 2], shift: [f64; 2]) -> Option<PlanarShape> {
     match shape {
         PlanarShape::Polygon(corners) => {
-            let mut kept = corners.clone();
-            for axis in 0..2 {
-                kept = beyond(&kept, axis, low[axis], 1.0);
-                kept = beyond(&kept, axis, high[axis], -1.0);
-            }
-            let kept: Vec<[f64; 2]> = kept.iter().map(|[x, y]| [x + shift[0], y + shift[1]]).collect();
+            let [low, high] = [low, high].map(|[x, y]| At::new(x, y));
+            let corners: Vec<At> = corners.iter().map(|[x, y]| At::new(*x, *y)).collect();
+            let kept = within(&corners, low, high).into_iter().map(|at| [at.x + shift[0], at.y + shift[1]]);
+            let kept: Vec<[f64; 2]> = kept.collect();
             (kept.len() > 2).then_some(PlanarShape::Polygon(kept))
         }
         PlanarShape::Circle { center: [x, y], radius } => {
@@ -116,21 +115,4 @@ fn moved(shape: &PlanarShape, [low, high]: [[f64; 2]; 2], shift: [f64; 2]) -> Op
             Some(PlanarShape::HalfPlane { point: [x + shift[0], y + shift[1]], normal: *normal })
         }
     }
-}
-
-/// What of a polygon lies on one side of a coordinate.
-fn beyond(corners: &[[f64; 2]], axis: usize, end: f64, side: f64) -> Vec<[f64; 2]> {
-    let height = |corner: &[f64; 2]| side * (corner[axis] - end);
-    let mut kept = Vec::new();
-    for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-        let (a, b) = (height(from), height(to));
-        if a >= 0.0 {
-            kept.push(*from);
-        }
-        if (a >= 0.0) != (b >= 0.0) {
-            let share = a / (a - b);
-            kept.push([0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis])));
-        }
-    }
-    kept
 }

@@ -15,13 +15,13 @@ pub(super) const RED: &str = "#d55e00";
 
 /// A point or vector on the page: x to the right, y downward.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct At {
-    pub(super) x: f64,
-    pub(super) y: f64,
+pub(in crate::report) struct At {
+    pub(in crate::report) x: f64,
+    pub(in crate::report) y: f64,
 }
 
 impl At {
-    pub(super) fn new(x: f64, y: f64) -> Self {
+    pub(in crate::report) fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 

@@ -14,6 +14,9 @@ mod throw;
 mod tilt;
 mod view;
 
+pub(super) use canvas::At;
+pub(super) use simulation::within;
+
 pub use pins::pins;
 pub use simulation::{feeder, simulation};
 pub use suggest::suggestion;

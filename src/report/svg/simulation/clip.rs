@@ -6,7 +6,7 @@ use super::super::canvas::At;
 const PITCH: f64 = 9.0;
 
 /// What of a polygon lies in the rectangle from `low` to `high`.
-pub(super) fn within(polygon: &[At], low: At, high: At) -> Vec<At> {
+pub(in crate::report) fn within(polygon: &[At], low: At, high: At) -> Vec<At> {
     let sides =
         [(At::new(1.0, 0.0), low), (At::new(-1.0, 0.0), high), (At::new(0.0, 1.0), low), (At::new(0.0, -1.0), high)];
     sides.iter().fold(polygon.to_vec(), |polygon, (inward, on)| beyond(&polygon, *on, *inward))

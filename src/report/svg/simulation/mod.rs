@@ -7,6 +7,7 @@ mod shades;
 mod snapshots;
 
 pub(super) use clip::hatching;
+pub(in crate::report) use clip::within;
 pub use feeder::feeder;
 
 use super::canvas::{Align, At, Canvas, INK, MUTED, Pen};
