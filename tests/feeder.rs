@@ -37,6 +37,28 @@ fn the_first_design_gets_stuck_and_the_known_one_passes() {
     }
 }
 
+/// What the drawing measures is the variable it names.
+#[test]
+fn dimensions_are_drawn_where_they_are() {
+    let feeder = feeder();
+    for variables in [feeder.start(), GOOD.to_vec()] {
+        let dimensions = feeder.device.dimensions(&variables, &feeder.nominal());
+        assert_eq!(dimensions.len(), variables.len());
+        for (variable, value) in feeder.variables.iter().zip(&variables) {
+            let dimension = dimensions.iter().find(|dimension| dimension.name == variable.name).unwrap();
+            let [a, b] = dimension.ends;
+            let measured = match dimension.corner {
+                None => (b[0] - a[0]).hypot(b[1] - a[1]),
+                Some(corner) => {
+                    let [a, b] = [a, b].map(|end| (end[1] - corner[1]).atan2(end[0] - corner[0]));
+                    (a - b).abs()
+                }
+            };
+            assert!((measured - value.abs()).abs() < 1e-6, "{dimension:?} of {value}");
+        }
+    }
+}
+
 /// Scores in memory; ends a search after so many new ones.
 struct Memory {
     known: Mutex<HashMap<Vec<u64>, Score>>,
@@ -201,6 +223,15 @@ fn what_is_wrong_with_a_device_is_said_where_it_is() {
     for (index, (found, code, path)) in cases.iter().enumerate() {
         assert!(found.iter().any(|(c, p)| c == code && p.starts_with(path)), "{index}: {code} {path}, but {found:?}");
     }
+    let drawn = |dimension: &str| {
+        let text = slot(GAP, "").replacen("\"scene\"", &format!("\"dimensions\": [{dimension}], \"scene\""), 1);
+        let faults = read_feeder(text.as_bytes(), &Limits::default()).unwrap_err();
+        faults.iter().map(|fault| format!("{} {}", fault.code(), fault.path())).collect::<Vec<_>>()
+    };
+    let path = "feeder.dimensions[0]";
+    assert_eq!(drawn(r#"{"of": "gap", "from": [0, 0], "to": ["gpa", 0]}"#), [format!("C087 {path}.to[0]")]);
+    assert_eq!(drawn(r#"{"of": "gap", "from": [0, 0, 0], "to": ["gap", 0]}"#), [format!("C012 {path}.from")]);
+    assert_eq!(drawn(r#"{"of": "gap", "to": ["gap", 0]}"#), [format!("C014 {path}.from")]);
     let spatial = r#"{"feeder": {"variables": {"a": {"min": 0, "max": 1, "start": 0}}, "entries": [{"pose": [0, 0, 1, 1, 0, 0, 0]}],
         "goal": {"pose": [0, 0, 0]}, "scene": {"dimension": 3, "duration": 1, "friction": 0, "bodies": [{"mass": 1, "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}}}"#;
     assert!(read_feeder(spatial.as_bytes(), &Limits::default()).is_err());

@@ -65,6 +65,17 @@ pub struct Rest {
     pub time: f64,
 }
 
+/// A dimension as a drawing shows it: a distance, or where it has a corner, an angle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dimension {
+    /// What is measured.
+    pub name: String,
+    /// The ends (m); of an angle, points on its sides.
+    pub ends: [[f64; 2]; 2],
+    /// Where the sides of an angle meet (m).
+    pub corner: Option<[f64; 2]>,
+}
+
 /// Builds the scenes of a device.
 pub trait Device: Send + Sync {
     /// One scene for each entry, its first body the part, with the dimensions `variables` and with `uncertain` as given.
@@ -72,6 +83,9 @@ pub trait Device: Send + Sync {
     /// # Errors
     /// Why there is no such device.
     fn scenes(&self, variables: &[f64], uncertain: &[f64]) -> Result<Vec<World<Planar>>, String>;
+
+    /// What a drawing of the device measures.
+    fn dimensions(&self, variables: &[f64], uncertain: &[f64]) -> Vec<Dimension>;
 }
 
 impl Feeder {

@@ -10,7 +10,7 @@ mod scene;
 mod thrower;
 
 pub use conveyor::Conveyor;
-pub use feeder::{Device, Feeder, Goal, Rest, Uncertain, Variable};
+pub use feeder::{Device, Dimension, Feeder, Goal, Rest, Uncertain, Variable};
 pub use fixture::{Fixel, Fixture, Friction, Place, Range};
 pub use given::GivenPush;
 pub use orientation::{tangents, turned};

@@ -36,6 +36,9 @@ const LOST: f64 = 30.0;
 /// Half-width of a flat fixel under a vertex, over the part's size.
 const FLAT: f64 = 0.02;
 
+/// The same on the side of an edge that lies along the flat, over the largest gap at the start.
+const FLUSH: f64 = 4.0;
+
 /// Largest gap at the start, over the part's size, and over the distance of a fixel from the end of an edge.
 const DEPARTURE: f64 = 1e-4;
 const ROOM: f64 = 0.02;
@@ -234,15 +237,23 @@ impl InsertTrials {
         let (Kind::Vertex(vertex), PlanarShape::Polygon(vertices)) = (spot.kind, &self.seat.shape) else {
             return PlanarShape::Circle { center: at, radius: 0.0 };
         };
-        let is_below = |other: &[f64; 2]| dot(normal, sub(*other, vertex)) < -1e-9 * self.seat.size;
-        if !vertices.iter().any(is_below) {
+        let tangent = [normal[1], -normal[0]];
+        let over = |other: &[f64; 2]| dot(normal, sub(*other, vertex));
+        let along = |other: &[f64; 2]| dot(tangent, sub(*other, vertex));
+        let none = 1e-9 * self.seat.size;
+        if vertices.iter().all(|other| over(other) > none || length(sub(*other, vertex)) <= none) {
             return PlanarShape::HalfPlane { point: at, normal };
         }
-        let wide = FLAT * self.seat.size;
-        let corner = |across: f64, down: f64| {
-            [at[0] + across * normal[1] - down * normal[0], at[1] - across * normal[0] - down * normal[1]]
+        // where an edge lies along it the flat ends next to the vertex, lest it hold the edge up elsewhere
+        let reach = |side: f64| {
+            let is_flush = vertices.iter().any(|other| over(other).abs() <= none && side * along(other) > none);
+            self.seat.size * if is_flush { FLAT.min(FLUSH * self.departure) } else { FLAT }
         };
-        PlanarShape::Polygon(vec![corner(-wide, 0.0), corner(-wide, wide), corner(wide, wide), corner(wide, 0.0)])
+        let (back, ahead, deep) = (reach(-1.0), reach(1.0), FLAT * self.seat.size);
+        let corner = |across: f64, down: f64| {
+            [at[0] + across * tangent[0] - down * normal[0], at[1] + across * tangent[1] - down * normal[1]]
+        };
+        PlanarShape::Polygon(vec![corner(-back, 0.0), corner(-back, deep), corner(ahead, deep), corner(ahead, 0.0)])
     }
 
     /// The contacts that hold and the fixels that are free, in words.

@@ -45,6 +45,22 @@ fn plans_of_the_public_cases_are_confirmed() {
     assert_eq!((confirmed, none), (12, 2));
 }
 
+/// A flat under a vertex ends next to it where an edge lies along the flat: the fixel is at the vertex, nowhere else.
+#[test]
+fn a_flat_under_a_vertex_does_not_hold_the_edge_along_it() {
+    let text = r#"{"length_unit": "m", "part": {"shape": {"polygon": [[0, -2], [4, 0], [0, 0]]}, "mass": 1, "inertia": "1/2"},
+        "insert": {"fixels": [{"at": [0, 0], "normal": [1, 0], "friction": 0},
+                              {"at": [0, -2], "normal": [-1, 2], "friction": 0}]}}"#;
+    let case = read(text.as_bytes(), &Limits::default()).unwrap();
+    let fixture = case.fixture.unwrap();
+    let plan = insertion(&case.part, &fixture, &Question::default()).unwrap().plan.unwrap();
+    for departure in [1e-5, 1e-4] {
+        let push = Push::recommended(&case.part, &plan);
+        let trials = InsertTrials::new(&case.part, &fixture, push, 0, Some(departure));
+        assert_eq!(tally(&trials, 0..30, &|| true).unwrap().confirmed, 30);
+    }
+}
+
 /// A plan holds for small departures: from gaps of 0.3 % of the size a part on two fixels slides off one of them.
 #[test]
 fn larger_departures_leave_the_assumptions_and_are_shrunk_to_where_they_do() {

@@ -58,7 +58,7 @@ impl Reader {
     }
 
     fn feeder(&mut self, text: &str, value: &Value, path: &Path, limits: &Limits) -> Option<Feeder> {
-        let known = ["variables", "uncertain", "let", "entries", "goal", "rest", "scene"];
+        let known = ["variables", "uncertain", "let", "entries", "goal", "rest", "dimensions", "scene"];
         let fields = self.fields(value, path, &known, SMALLEST_FEEDER)?;
         let mut names: Vec<String> = Vec::new();
         let variables = self.variables(&fields, path, &mut names);
@@ -67,6 +67,7 @@ impl Reader {
         let goal = self.goal(&fields, path);
         let rest = self.rest(&fields, path);
         let entries = self.entries(&fields, path);
+        let lines = self.dimensions(&fields, path, &names);
         let scene = self.require(&fields, "scene", path, SMALLEST_FEEDER);
         let mut expressions = Vec::new();
         for (key, value) in [("entries", fields.get("entries")), ("scene", scene)] {
@@ -75,7 +76,7 @@ impl Reader {
             }
         }
         let (variables, uncertain) = (variables?, uncertain?);
-        let template = Template { text: text.to_owned(), lets: lets?, expressions, limits: *limits };
+        let template = Template { text: text.to_owned(), lets: lets?, expressions, lines: lines?, limits: *limits };
         if self.has_faults() {
             return None;
         }
@@ -246,7 +247,7 @@ impl Reader {
         }
     }
 
-    fn expression(&mut self, value: &Value, path: &Path, names: &[String]) -> Option<Expression> {
+    pub fn expression(&mut self, value: &Value, path: &Path, names: &[String]) -> Option<Expression> {
         let text = match value {
             Value::StringLit(literal) => literal.value.as_ref(),
             Value::NumberLit(literal) => literal.value,

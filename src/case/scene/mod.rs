@@ -1,6 +1,7 @@
 //! The `scene` section: bodies, obstacles and what acts between them.
 
 mod body;
+mod dimensions;
 mod double;
 mod feeder;
 mod finger;

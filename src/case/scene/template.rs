@@ -3,7 +3,8 @@
 use super::super::expression::Expression;
 use super::super::reader::Reader;
 use super::super::{Limits, text};
-use crate::model::{Device, Planar, World};
+use super::dimensions::DimensionLine;
+use crate::model::{Device, Dimension, Planar, World};
 use jsonc_parser::ast::{NumberLit, Object, Value};
 use jsonc_parser::common::Ranged as _;
 
@@ -16,21 +17,28 @@ pub struct Template {
     pub text: String,
     pub lets: Vec<Expression>,
     pub expressions: Vec<Expression>,
+    pub lines: Vec<DimensionLine>,
     pub limits: Limits,
 }
 
 impl Template {
     /// The values of all expressions as JSON, or the number of the first that has none.
     pub fn numbers(&self, variables: &[f64], uncertain: &[f64]) -> Result<Vec<String>, usize> {
-        let mut values = [variables, uncertain].concat();
-        for expression in &self.lets {
-            values.push(expression.value(&values));
-        }
+        let values = self.values(variables, uncertain);
         let number = |(index, expression): (usize, &Expression)| {
             let value = expression.value(&values);
             if value.is_finite() { Ok(format!("{value:e}")) } else { Err(index) }
         };
         self.expressions.iter().enumerate().map(number).collect()
+    }
+
+    /// Of all names.
+    fn values(&self, variables: &[f64], uncertain: &[f64]) -> Vec<f64> {
+        let mut values = [variables, uncertain].concat();
+        for expression in &self.lets {
+            values.push(expression.value(&values));
+        }
+        values
     }
 }
 
@@ -49,6 +57,11 @@ impl Device for Template {
                 .first()
                 .map_or_else(String::new, |fault| format!("{}: {}", fault.path(), fault.kind()))),
         }
+    }
+
+    fn dimensions(&self, variables: &[f64], uncertain: &[f64]) -> Vec<Dimension> {
+        let values = self.values(variables, uncertain);
+        self.lines.iter().filter_map(|line| line.at(&values)).collect()
     }
 }
 

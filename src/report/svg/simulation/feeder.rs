@@ -3,6 +3,7 @@
 use super::super::canvas::{Align, At, BLUE, Canvas, GREEN, INK, MUTED, Pen};
 use super::super::legend::{Legend, Swatch};
 use super::super::scene::{shortened, wrapped};
+use super::dimensioned::Dimensioned;
 use super::panel::{FOOT, Panel, Room};
 use super::shades::{PATH, Shades};
 use super::snapshots::Snapshots;
@@ -42,6 +43,7 @@ pub fn feeder(chute: &Chute, answer: &FeederPlan, films: &[Film]) -> String {
     legend.add(Swatch::Band(Shades::of(0).shade(0.7)), "the part, from light to dark");
     legend.add(Swatch::Line(Pen::stroke(PATH, 1.0).dashed()), "path of its center of mass");
     bottom = legend.draw(&mut page, PAGE, bottom);
+    bottom = dimensioned(&mut page, chute, answer, films, bottom + 4.0);
     bottom = dimensions(&mut page, chute, answer, bottom + 8.0);
     if !answer.trace.is_empty() {
         bottom = trace(&mut page, answer, bottom + 20.0);
@@ -83,6 +85,33 @@ fn snapshots(
     top + HEADING + highest * scale + FOOT + 10.0
 }
 
+/// The device before and after side by side, with what the case measures of it.
+fn dimensioned(page: &mut Canvas, chute: &Chute, answer: &FeederPlan, films: &[Film], top: f64) -> f64 {
+    let designs = [("at first", Some(&answer.start)), ("designed", answer.best.as_ref())];
+    let shown = designs.into_iter().filter_map(|(name, design)| {
+        let film = films.iter().find(|film| film.design == name)?;
+        let fixed = film.world.fixed.iter();
+        let fixed = fixed.flat_map(|fixed| Planar::outlines(&fixed.shape, None, Planar::VIEWS[0])).collect();
+        let dimensions = chute.feeder.device.dimensions(&design?.variables, &chute.feeder.nominal());
+        (!dimensions.is_empty()).then_some((name, Dimensioned { fixed, dimensions }))
+    });
+    let shown: Vec<(&str, Dimensioned)> = shown.collect();
+    if shown.is_empty() {
+        return top;
+    }
+    let frames: Vec<[[f64; 2]; 2]> = shown.iter().map(|(_, device)| device.frame()).collect();
+    let most = |axis: usize| frames.iter().map(|[low, high]| high[axis] - low[axis]).fold(0.0, f64::max);
+    let wide = (PAGE - 2.0 * SIDE - GAP) / 2.0;
+    let scale = (wide / most(0)).min(TALLEST / most(1));
+    for (index, ((name, device), [low, high])) in shown.iter().zip(&frames).enumerate() {
+        let at = At::new(SIDE + index as f64 * (wide + GAP), top + HEADING);
+        page.text(At::new(at.x, at.y - 9.0), Align::Left, 12.5, INK, true, &format!("{name}: dimensions"));
+        let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
+        device.draw(page, middle, &Room { low: at, high: At::new(at.x + wide, at.y + most(1) * scale), scale });
+    }
+    top + HEADING + most(1) * scale + FOOT + 10.0
+}
+
 /// Each variable with its value at first and as designed, in two columns.
 fn dimensions(page: &mut Canvas, chute: &Chute, answer: &FeederPlan, top: f64) -> f64 {
     let variables = &chute.feeder.variables;
@@ -104,7 +133,7 @@ fn dimensions(page: &mut Canvas, chute: &Chute, answer: &FeederPlan, top: f64) -
             page.text(At::new(left + 70.0, y), Align::Left, 11.5, INK, false, &near(variable.start, 4));
             page.text(At::new(left + 140.0, y), Align::Left, 11.5, INK, true, &designed);
             let meaning = variable.meaning.as_deref().unwrap_or("");
-            page.text(At::new(left + 205.0, y), Align::Left, 10.5, MUTED, false, &shortened(meaning, 42));
+            page.text(At::new(left + 205.0, y), Align::Left, 10.5, MUTED, false, &shortened(meaning, 36));
         }
     }
     top + (rows as f64 + 2.0) * LINE

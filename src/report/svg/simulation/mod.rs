@@ -1,6 +1,7 @@
 //! A run: bodies at chosen times, light to dark, the paths of their centers of mass, and what is fixed.
 
 mod clip;
+mod dimensioned;
 mod feeder;
 mod panel;
 mod shades;

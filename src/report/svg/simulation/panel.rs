@@ -204,7 +204,7 @@ impl<'a> Panel<'a> {
 }
 
 /// Something fixed, within its room.
-fn obstacle(canvas: &mut Canvas, outline: &Outline, room: &Room, place: &impl Fn([f64; 2]) -> At) {
+pub(super) fn obstacle(canvas: &mut Canvas, outline: &Outline, room: &Room, place: &impl Fn([f64; 2]) -> At) {
     let frame = [room.low, At::new(room.high.x, room.low.y), room.high, At::new(room.low.x, room.high.y)];
     let polygon = match outline {
         Outline::Polygon(corners) => {
@@ -236,7 +236,7 @@ fn obstacle(canvas: &mut Canvas, outline: &Outline, room: &Room, place: &impl Fn
 }
 
 /// Points that a view of an outline must hold.
-fn extent(outline: &Outline) -> Vec<[f64; 2]> {
+pub(super) fn extent(outline: &Outline) -> Vec<[f64; 2]> {
     match outline {
         Outline::Polygon(corners) => corners.clone(),
         Outline::Disc { center: [x, y], radius, .. } => vec![[x - radius, y - radius], [x + radius, y + radius]],
