@@ -1,5 +1,6 @@
 //! What the planners return: data only, exact, ready to be checked and reported.
 
+mod chart;
 mod critical;
 mod feeder;
 mod insert;
@@ -13,6 +14,7 @@ mod throw;
 mod verification;
 mod witness;
 
+pub use chart::{Chart, ChartFamily, ChartMap, ChartPoint, ChartTile};
 pub use critical::{CriticalFactor, CriticalFriction, End, FrictionLimit, NearestChange};
 pub use feeder::{DesignCheck, EntryFate, EntryRun, Evaluation, FeederDesign, FeederPlan, Film, Robustness};
 pub use insert::{Action, EmptyReason, Insertion, Recommendation, Robust, Stability, WrenchVerdict};
