@@ -4,11 +4,10 @@
 
 #[path = "../tests/complementarity/check.rs"]
 mod check;
-#[path = "../tests/complementarity/contacts.rs"]
-mod contacts;
 
 use check::{proof_holds, violation};
 use contacts::{Family, Problem, Random, draw, is_always_solvable};
+use partplan::chart::contacts;
 use partplan::complementarity::{ACCEPTED_RESIDUAL, Basis, Lcp, Limits, Rung, Solver, Verdict};
 use std::hint::black_box;
 use std::time::Instant;

@@ -16,6 +16,7 @@
 
 pub mod answer;
 pub mod case;
+pub mod chart;
 pub mod complementarity;
 pub mod cone;
 pub mod design;

@@ -16,6 +16,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("dynamics", &["answer", "complementarity", "exact", "geometry", "model"]),
     ("verify", &["answer", "complementarity", "dynamics", "exact", "geometry", "model"]),
     ("design", &["answer", "dynamics", "model", "verify"]),
+    ("chart", &["answer", "complementarity", "cone", "dynamics", "exact", "geometry", "mechanics", "model", "planner"]),
     ("planner", &["answer", "cone", "exact", "geometry", "mechanics", "model"]),
     ("case", &["exact", "geometry", "model"]),
     ("report", &["answer", "exact", "geometry", "model"]),

@@ -79,15 +79,28 @@ impl ChartFamily {
         }
     }
 
+    /// What a figure is called.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Stepping => "Time-steppers",
+            Self::Ladder => "Model ladder",
+            Self::Complementarity => "Contact problems",
+            Self::Cone => "Cones from normals to rays",
+            Self::Toppling => "Pins near critical heights",
+            Self::Throw => "Long run of throws",
+        }
+    }
+
     /// What the error is, with its unit.
     #[must_use]
     pub fn error(self) -> &'static str {
         match self {
             Self::Stepping | Self::Ladder => "error of the final pose (m)",
-            Self::Complementarity => "residual over the largest velocity",
+            Self::Complementarity => "median residual over the largest velocity",
             Self::Cone => "share of cones with wrong faces",
             Self::Toppling => "share of heights on the wrong side",
-            Self::Throw => "radii wrongly counted in, over the part's radius",
+            Self::Throw => "error of the ends of bands over the part's radius",
         }
     }
 

@@ -78,6 +78,9 @@ pub enum Failure {
     /// The file with what many runs came to is not theirs, or not whole.
     #[error("error: {} cannot be gone on from: {why}; give --state another file", path.display())]
     State { path: PathBuf, why: String },
+    /// A file is not one of a chart.
+    #[error("error: {}: {why}; give --from the chart.csv that plan chart wrote", path.display())]
+    Chart { path: PathBuf, why: String },
     /// Threads cannot be started.
     #[error("error: cannot start so many jobs: {0}; write a smaller number for --jobs")]
     Threads(String),

@@ -1,5 +1,6 @@
 //! All input and output of the `plan` command; one file a command.
 
+mod chart;
 mod common;
 mod cone;
 mod convert;
@@ -51,6 +52,7 @@ enum Command {
     Simulate(simulate::Args),
     Feeder(feeder::Args),
     Verify(verify::Args),
+    Chart(chart::Args),
     Convert(convert::Args),
 }
 
@@ -69,6 +71,7 @@ impl Cli {
             Command::Simulate(args) => simulate::run(args, out),
             Command::Feeder(args) => feeder::run(args, out),
             Command::Verify(args) => verify::run(args, out),
+            Command::Chart(args) => chart::run(args, out),
             Command::Convert(args) => convert::run(args, out),
         }
     }

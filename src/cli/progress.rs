@@ -1,6 +1,7 @@
 //! A bar on standard error while a search or a run goes on; nothing where standard error is no terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use partplan::chart::{self, ChartProgress};
 use partplan::planner::{Progress, Stage, ThrowProgress, ThrowStage};
 
 /// Shows where a search stands, stage by stage.
@@ -47,6 +48,13 @@ impl Bar {
         }
         self.0.set_message(format!("cost {best:.3}"));
         self.0.set_position(done as u64);
+    }
+
+    /// Shows which part of a chart is measured.
+    pub fn show_chart(&self, progress: &ChartProgress) {
+        let parts = chart::parts();
+        let done = parts.iter().position(|part| *part == progress.part).unwrap_or(parts.len());
+        self.set(progress.part, done, parts.len());
     }
 
     fn set(&self, stage: &'static str, done: usize, of: usize) {

@@ -151,6 +151,7 @@ impl Args {
             starts: self.starts,
             sweep: self.sweep.as_ref().map(|controls| controls.sweep(thrower, self.grid, &self.margin)),
             replay: self.html.is_some(),
+            ..ThrowQuestion::default()
         }
     }
 }

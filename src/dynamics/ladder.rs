@@ -22,8 +22,9 @@ const FIRST_PHASE: f64 = 0.2;
 ///
 /// 1. frictionless rigid contacts, if no coefficient of friction is above 0;
 /// 2. rigid contacts with friction and located impacts;
-/// 3. compliant contacts, if the scene says how stiff they are and either they give way by more than the tolerance at
-///    the hardest impact that the rigid run met (v √(m/K)), or rigid contacts are ambiguous.
+/// 3. compliant contacts, if the scene says how stiff they are and either they give way by more than the tolerance, at
+///    the hardest impact that the rigid run met (v √(m/K)) and under all weights or the largest force at its end (f/K), or
+///    rigid contacts are ambiguous.
 ///
 /// The step is that of the options or of the scene; else it is halved until the final poses of two runs differ by less
 /// than the tolerance.
@@ -55,7 +56,7 @@ pub(super) fn climb<S: Mechanics>(
     song_pang_kumar::check(world)?;
     let softest = softest(world);
     let heaviest = world.bodies.iter().filter(|body| !body.is_kinematic).map(|body| body.mass).fold(0.0, f64::max);
-    let give = rigid.solver.fastest_impact * (heaviest / softest).sqrt();
+    let give = rigid.solver.fastest_impact * (heaviest / softest).sqrt() + load(world, &rigid) / softest;
     let tolerance = options.tolerance;
     if rigid.status == Status::Complete && give <= tolerance {
         rigid
@@ -144,6 +145,14 @@ fn difference<S: Mechanics>(world: &World<S>, a: &Simulation<S>, b: &Simulation<
     }
     let pairs = world.bodies.iter().zip(a.last.poses.iter().zip(&b.last.poses));
     Some(pairs.map(|(body, (a, b))| S::separation(S::radius(body), a, b)).fold(0.0, f64::max))
+}
+
+/// The weight of all that moves, or if that is more, the largest force on a contact at the end of a rigid run (N).
+fn load<S: Mechanics>(world: &World<S>, rigid: &Simulation<S>) -> f64 {
+    let gravity = world.gravity.as_ref().iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+    let mass: f64 = world.bodies.iter().filter(|body| !body.is_kinematic).map(|body| body.mass).sum();
+    let forces = rigid.last.touches.iter().map(|touch| touch.impulse[0] / rigid.model.step);
+    forces.fold(gravity * mass, f64::max)
 }
 
 fn softest<S: Mechanics>(world: &World<S>) -> f64 {

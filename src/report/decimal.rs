@@ -125,6 +125,28 @@ pub(super) fn near(value: f64, digits: i32) -> String {
     trim(format!("{value:.places$}"))
 }
 
+/// A time in the unit that suits it.
+pub(super) fn duration(seconds: f64) -> String {
+    let (unit, name) = match seconds {
+        s if s < 1e-6 => (1e-9, "ns"),
+        s if s < 1e-3 => (1e-6, "µs"),
+        s if s < 1.0 => (1e-3, "ms"),
+        _ => (1.0, "s"),
+    };
+    format!("{} {name}", near(seconds / unit, 3))
+}
+
+/// A share of a count, in percent; none and all are told from nearly none and nearly all.
+pub(super) fn percent_of(part: u64, of: u64) -> String {
+    let share = 100.0 * part as f64 / (of as f64).max(1.0);
+    let whole = share.round();
+    if (whole > 0.0 && whole < 100.0) || part == 0 || part == of {
+        format!("{whole} %")
+    } else {
+        format!("{} %", near(share, 4))
+    }
+}
+
 /// A number exactly when that is short, else the nearest decimal.
 pub(super) fn brief(value: &Q) -> String {
     let exact = value.to_string();

@@ -1,13 +1,16 @@
 //! Answers as text, JSON and pictures: pure functions of the answer and of what was asked.
 
+pub mod csv;
 pub mod html;
 pub mod json;
+pub mod markdown;
 pub mod svg;
 pub mod text;
 pub mod trajectory;
 
 mod decimal;
 mod height;
+mod ladder;
 mod motion;
 mod phrase;
 

@@ -2,10 +2,11 @@
 
 mod brute;
 mod check;
-mod contacts;
 mod enumeration;
 mod instances;
 mod ladder;
 mod planar;
 mod proofs;
 mod properties;
+
+use partplan::chart::contacts;

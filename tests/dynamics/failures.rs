@@ -204,6 +204,22 @@ fn a_wall_too_soft_is_refused() {
     }
 }
 
+/// A ball that rests on a soft floor hits nothing, yet its weight presses it in by m g / K; a hard floor is left rigid.
+#[test]
+fn a_weight_presses_into_what_is_soft() {
+    for (stiffness, chosen) in [(100.0, "spk"), (1e5, "moreau")] {
+        let text = format!(
+            r#"{{"scene": {{"gravity": [0, -9.81], "duration": 8, "friction": 0.2, "contact": {{"stiffness": {stiffness}, "damping": 10}},
+            "bodies": [{{"shape": {{"circle": {{"center": [0, 0], "radius": 0.2}}}}, "mass": 1, "pose": [0, 0.2, 0]}}],
+            "fixed": [{{"shape": {{"half_plane": {{"point": [0, 0], "normal": [0, 1]}}}}}}]}}}}"#
+        );
+        let Scene::Planar(world) = read_scene(text.as_bytes(), &Limits::default()).unwrap().scene else { panic!() };
+        let run = run(&world, AUTO);
+        assert_eq!(run.model.chosen, chosen, "{:?}", run.model.why);
+        assert!((run.last.poses[0][1] - (0.2 - 9.81 / stiffness)).abs() < 1e-3, "{:?}", run.last);
+    }
+}
+
 /// Overlaps of compliant contacts are springs: 1 mm lifts a block no higher than their 0.05 J, a peg 2 mm too wide is held
 /// by friction where it stands, one 2 nm too wide falls as if free.
 #[test]

@@ -199,7 +199,7 @@ impl Thrown<'_> {
     ) -> Option<[f64; 2]> {
         let system = self.system(control, self.center_of_mass);
         let reach = reach(&system);
-        let proof = proof::certify(&system, &reach, &mut |_, _| goes_on());
+        let proof = proof::certify(&system, &reach, proof::RESOLUTION, &mut |_, _| goes_on());
         let found = limit::limit_sets(&system, &reach, STARTS, SHORT, &mut |_, _| true);
         let set = found.sets.first().filter(|_| proof.is_unique)?;
         let windows = sensor(0, set, &system, self.classes, &proof.starts, &proof).windows;

@@ -15,7 +15,7 @@ mod safe;
 mod sensor;
 mod system;
 
-use crate::answer::{Fate, Sensor, Throw, ThrowQuery};
+use crate::answer::{Certificate, Fate, Sensor, Throw, ThrowQuery};
 use crate::exact::{FloatInterval, Q, to_f64};
 use crate::geometry::{Polygon, difference, dot, symmetry_shift};
 use crate::mechanics::throwing::{Branch, BranchEnd, Elsewhere, RestingEdge, Settling};
@@ -24,7 +24,7 @@ use num_traits::Signed as _;
 use system::System;
 
 /// What is asked of [`throw`].
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ThrowQuestion {
     /// Throws to tell: edge and radius.
     pub throws: Vec<(usize, Q)>,
@@ -34,6 +34,8 @@ pub struct ThrowQuestion {
     pub settling: Settling,
     /// Starts of orbits on each stable edge.
     pub starts: usize,
+    /// Cells over a part radius at which a proof tells bands; without it nothing is proved.
+    pub resolution: Option<f64>,
     /// Settings of the arm to try, if any.
     pub sweep: Option<Sweep>,
     /// Whether the motion in time is wanted, for playing.
@@ -47,6 +49,7 @@ impl Default for ThrowQuestion {
             carries: Vec::new(),
             settling: Settling::Full,
             starts: 6,
+            resolution: Some(proof::RESOLUTION),
             sweep: None,
             replay: false,
         }
@@ -188,7 +191,12 @@ pub fn throw(
     let hybrid = hybrid::hybrid(&system, &reach.edges);
     let orbits = &mut |done, of| watch(ThrowStage::Orbits, done, of);
     let limit = limit::limit_sets(&system, &reach, question.starts, limit::LONG, orbits);
-    let certificate = proof::certify(&system, &reach, &mut |done, of| watch(ThrowStage::Proof, done, of));
+    let certificate = match question.resolution {
+        Some(resolution) => {
+            proof::certify(&system, &reach, resolution, &mut |done, of| watch(ThrowStage::Proof, done, of))
+        }
+        None => Certificate::default(),
+    };
     let classes = classes(outline, &part.center_of_mass, &system.stable);
     let starts = if certificate.is_unique { certificate.starts.clone() } else { reach::ranges(&reach) };
     let sensors: Vec<Sensor> = (limit.sets.iter().enumerate())

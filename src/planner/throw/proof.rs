@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 
 /// First cells over a part radius.
 const FIRST: f64 = 64.0;
-/// Cells over a part radius at which bands are told.
-const LAST: f64 = 1_024.0;
+/// Cells over a part radius at which bands are told, unless something else is asked for.
+pub(super) const RESOLUTION: f64 = 1_024.0;
 /// Narrowest cell, in part radii.
 const NARROWEST: f64 = 1e-9;
 /// Cells at most.
@@ -27,12 +27,18 @@ const ABOVE_CLEAR: [f64; 4] = [2e-2, 4e-3, 8e-4, 1.6e-4];
 /// And ends so far above the landings, in part radii.
 const ABOVE_LANDINGS: f64 = 0.004;
 
-/// Tries to prove, refining cells until one component is left or a limit is reached; `watch` is told cells and says whether
+/// Tries to prove, refining cells until one component is left with `resolution` cells over a part radius, or a limit is
+/// reached; `watch` is told cells and says whether
 /// to go on. Where throws lead out of Z, the same is tried for a part of Z, or of all radii, that they do not lead out of.
-pub(super) fn certify(system: &System, reach: &Reach, watch: &mut dyn FnMut(usize, usize) -> bool) -> Certificate {
+pub(super) fn certify(
+    system: &System,
+    reach: &Reach,
+    resolution: f64,
+    watch: &mut dyn FnMut(usize, usize) -> bool,
+) -> Certificate {
     let mut certificate = Certificate::default();
     for above_clear in ABOVE_CLEAR {
-        certificate = certify_from(system, reach, above_clear, watch);
+        certificate = certify_from(system, reach, above_clear, resolution, watch);
         let is_near = |example: &CounterExample| {
             let (edge, [_, high]) = example.landing?;
             Some(!example.leaves_domain && high < certificate.z.get(&edge)?[0])
@@ -56,7 +62,7 @@ pub(super) fn certify(system: &System, reach: &Reach, watch: &mut dyn FnMut(usiz
         }
         let starts = safe::merged(&cells);
         let mut found = Certificate { starts, ..certificate.clone() };
-        refine(system, cells, &mut found, watch);
+        refine(system, cells, resolution, &mut found, watch);
         if found.is_unique {
             return found;
         }
@@ -68,6 +74,7 @@ fn certify_from(
     system: &System,
     reach: &Reach,
     above_clear: f64,
+    resolution: f64,
     watch: &mut dyn FnMut(usize, usize) -> bool,
 ) -> Certificate {
     let z = ranges(system, reach, above_clear);
@@ -80,7 +87,7 @@ fn certify_from(
         Ok(cells) => {
             certificate.is_invariant = true;
             certificate.starts = z.into_iter().map(|(edge, range)| (edge, vec![range])).collect();
-            refine(system, cells, &mut certificate, watch);
+            refine(system, cells, resolution, &mut certificate, watch);
         }
         Err(limit) => certificate.limit = limit,
     }
@@ -91,6 +98,7 @@ fn certify_from(
 fn refine(
     system: &System,
     mut cells: Vec<Cell>,
+    resolution: f64,
     certificate: &mut Certificate,
     watch: &mut dyn FnMut(usize, usize) -> bool,
 ) {
@@ -102,7 +110,7 @@ fn refine(
         certificate.components = found.iter().map(|component| describe(&cells, component)).collect();
         let kept: Vec<usize> = found.into_iter().flatten().collect();
         let widest = kept.iter().map(|cell| cells[*cell].width()).fold(0.0, f64::max);
-        let is_fine = widest <= system.part_radius / LAST;
+        let is_fine = widest <= system.part_radius / resolution;
         certificate.is_unique = certificate.components.len() == 1;
         let is_at_end = certificate.width <= NARROWEST * system.part_radius || 2 * kept.len() > MOST_CELLS;
         // orbits that come to two of them stay apart

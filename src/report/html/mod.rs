@@ -1,8 +1,10 @@
 //! Pages that play a run or throws: one file each, without references to any other.
 
+mod chart;
 mod feeder;
 mod throw;
 
+pub use chart::chart;
 pub use feeder::feeder;
 pub use throw::throw;
 

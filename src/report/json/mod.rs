@@ -1,5 +1,6 @@
 //! JSON documents as FORMATS.md names them.
 
+mod chart;
 mod feeder;
 mod friction;
 mod layout;
@@ -15,6 +16,7 @@ mod throw;
 mod verification;
 mod witness;
 
+pub use chart::{CHART, chart};
 pub use feeder::{FEEDER, feeder};
 pub use layout::document;
 pub use pins::{PINS, pins, undecided_pins};

@@ -1,7 +1,7 @@
 //! What the marks mean.
 
 use super::canvas::{Align, At, Canvas, INK, MUTED, ORANGE, Pen, RED, SKY};
-use super::{pins, scene, throw};
+use super::{chart, pins, scene, throw};
 use crate::answer::PinAction;
 
 const ROW: f64 = 20.0;
@@ -21,6 +21,7 @@ pub(super) enum Swatch {
     Pin,
     PinAction(Option<PinAction>),
     Throw(throw::Mark),
+    Chart(chart::Mark),
 }
 
 /// Marks in use, in the order of their first use.
@@ -79,5 +80,6 @@ fn sample(canvas: &mut Canvas, swatch: Swatch, at: At) {
         Swatch::Pin => pins::pin(canvas, at, [at.y - 8.0, at.y + 8.0]),
         Swatch::PinAction(action) => pins::sample(canvas, at, action),
         Swatch::Throw(mark) => throw::sample(canvas, at, mark),
+        Swatch::Chart(mark) => chart::sample(canvas, at, mark),
     }
 }

@@ -1,6 +1,7 @@
 //! Drawings: the part, its fixels and their friction, where to push, how to tilt; pins over a conveyor.
 
 mod canvas;
+mod chart;
 mod contact;
 mod finger;
 mod label;
@@ -17,6 +18,7 @@ mod view;
 pub(super) use canvas::At;
 pub(super) use simulation::within;
 
+pub use chart::{chart, failures};
 pub use pins::pins;
 pub use simulation::{feeder, simulation};
 pub use suggest::suggestion;

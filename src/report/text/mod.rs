@@ -1,5 +1,6 @@
 //! Text for people: the answer first.
 
+mod chart;
 mod cone;
 mod feeder;
 mod friction;
@@ -15,6 +16,7 @@ mod throw;
 mod verification;
 mod witness;
 
+pub use chart::chart;
 pub use cone::{cones, judged_cones};
 pub use feeder::feeder;
 pub use insert::insertion;

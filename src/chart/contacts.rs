@@ -1,11 +1,14 @@
-//! Random planar contact problems, built from where bodies touch: the same for tests and benches.
+//! Random planar contact problems, built from where bodies touch: the same for charts, tests and benches.
 
-use partplan::complementarity::Factors;
+use crate::complementarity::Factors;
 
 /// Splitmix64: the same problems everywhere.
+#[derive(Debug, Clone)]
 pub struct Random(pub u64);
 
 impl Random {
+    /// Any number.
+    #[must_use]
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -29,6 +32,7 @@ impl Random {
         low + (self.next() % (high - low + 1) as u64) as usize
     }
 
+    /// Whether something of this probability is so.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.within(0.0, 1.0) < probability
     }
@@ -38,33 +42,60 @@ impl Random {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Family {
     /// One body in motion, contacts anywhere around it.
-    Generic { from: usize, to: usize },
+    Generic {
+        /// Fewest contacts.
+        from: usize,
+        /// Most contacts.
+        to: usize,
+    },
     /// A body on a floor, touching at up to twelve points of a line, at rest or nearly so.
     Resting,
     /// Two to six blocks on each other, the mass of each one or `ratio`, at the top `ratio`.
-    Stack { ratio: f64 },
+    Stack {
+        /// The ratio.
+        ratio: f64,
+    },
     /// Opposed contacts that both overlap.
     Squeeze,
+    /// Three blocks on each other, the top one heavier by `ratio`, a share of the contacts twice at the same place.
+    Doubled {
+        /// The ratio.
+        ratio: f64,
+        /// The share.
+        share: f64,
+    },
     /// Everything at once: masses of 10^-6 to 10^6, friction up to ten, doubled contacts, and slight overlaps if wanted.
-    Wild { overlaps: bool },
+    Wild {
+        /// Whether there are overlaps.
+        overlaps: bool,
+    },
 }
 
 /// Whether a family's problems all have solutions: no gap is negative. Among wild ones are closed grips, in which even the
 /// rounding of `q` counts as an overlap.
+#[must_use]
 pub fn is_always_solvable(family: Family) -> bool {
     !matches!(family, Family::Squeeze | Family::Wild { .. })
 }
 
+/// A contact problem: what [`Factors`] borrow.
 #[derive(Debug, Clone, Default)]
 pub struct Problem {
+    /// Rows of `W_nᵀ`, then of `W_fᵀ`.
     pub jacobian: Vec<f64>,
+    /// Diagonal of the inverse of the mass matrix.
     pub inverse_mass: Vec<f64>,
+    /// Coefficient of friction of each contact.
     pub mu: Vec<f64>,
+    /// Friction directions for each contact.
     pub directions: usize,
+    /// The right side.
     pub q: Vec<f64>,
 }
 
 impl Problem {
+    /// What it is made of.
+    #[must_use]
     pub fn factors(&self) -> Factors<'_> {
         Factors {
             jacobian: &self.jacobian,
@@ -84,11 +115,16 @@ struct Touch {
     mu: f64,
 }
 
+/// The next problem of a family.
 pub fn draw(family: Family, random: &mut Random) -> Problem {
     match family {
         Family::Generic { from, to } => generic(random, from, to),
         Family::Resting => resting(random),
-        Family::Stack { ratio } => stack(random, ratio),
+        Family::Stack { ratio } => {
+            let count = random.count(2, 6);
+            stack(random, count, ratio, 0.0)
+        }
+        Family::Doubled { ratio, share } => stack(random, 3, ratio, share),
         Family::Squeeze => squeeze(random),
         Family::Wild { overlaps } => wild(random, overlaps),
     }
@@ -127,8 +163,7 @@ fn resting(random: &mut Random) -> Problem {
     problem(&[[mass, mass * half * half * 2.0 / 3.0]], touches, &velocity)
 }
 
-fn stack(random: &mut Random, ratio: f64) -> Problem {
-    let count = random.count(2, 6);
+fn stack(random: &mut Random, count: usize, ratio: f64, doubled: f64) -> Problem {
     let (half, step) = (random.decades(-2.0, -1.0), random.decades(-4.0, -2.0));
     let mu = random.within(0.1, 1.0);
     let mut bodies = Vec::new();
@@ -145,6 +180,9 @@ fn stack(random: &mut Random, ratio: f64) -> Problem {
                 let below = touch(count, body - 1, [x - shift, half], up, 0.0, mu);
                 contact.normal.iter_mut().zip(below.normal).for_each(|(entry, other)| *entry -= other);
                 contact.tangent.iter_mut().zip(below.tangent).for_each(|(entry, other)| *entry -= other);
+            }
+            if doubled > 0.0 && random.chance(doubled) {
+                touches.push(Touch { normal: contact.normal.clone(), tangent: contact.tangent.clone(), ..contact });
             }
             touches.push(contact);
         }
