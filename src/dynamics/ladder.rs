@@ -9,7 +9,8 @@ use super::song_pang_kumar::{self, SimulationError, SongPangKumar};
 use crate::answer::{ModelChoice, Simulation, Status};
 use crate::model::World;
 
-/// Steps of the first run, unless something moves faster than they resolve.
+/// Steps of the first run, unless something moves faster than they resolve: where no contact changes, and else.
+const CALM_STEPS: f64 = 16.0;
 const FIRST_STEPS: f64 = 64.0;
 
 /// Most times that the step is halved.
@@ -46,7 +47,7 @@ pub(super) fn climb<S: Mechanics>(
         e => format!("the largest coefficient of restitution is {e}: impacts are located, and bounce"),
     });
     let first = world.duration / FIRST_STEPS;
-    let mut rigid = refined(world, options, first, &rigid_why, |choice| {
+    let mut rigid = refined(world, options, [world.duration / CALM_STEPS, first], &rigid_why, |choice| {
         run(world, options, ModelChoice { chosen, ..choice }, &mut Moreau::new(world), watch)
     });
     let has_compliance = world.materials.iter().any(|material| material.compliance.is_some());
@@ -75,7 +76,7 @@ pub(super) fn climb<S: Mechanics>(
     let lightest =
         world.bodies.iter().filter(|body| !body.is_kinematic).map(|body| body.mass).fold(f64::INFINITY, f64::min);
     let first = first.min(FIRST_PHASE * (lightest / stiffest(world)).sqrt());
-    let mut compliant = refined(world, options, first, &why, |choice| {
+    let mut compliant = refined(world, options, [first; 2], &why, |choice| {
         let mut stepper = SongPangKumar::new(world, options.second_order);
         run(world, options, ModelChoice { chosen: "spk", ..choice }, &mut stepper, watch)
     });
@@ -84,11 +85,12 @@ pub(super) fn climb<S: Mechanics>(
     Ok(compliant)
 }
 
-/// Runs at a step and its half until the tolerance is met, or once where the step is given.
+/// Runs at a step and its half until the tolerance is met, or once where the step is given. The second of the first steps is
+/// for scenes whose contacts change: coarse steps may meet that in another order, and their halves alike.
 fn refined<S: Mechanics>(
     world: &World<S>,
     options: &Options,
-    first: f64,
+    [calm, first]: [f64; 2],
     why: &[String],
     mut run: impl FnMut(ModelChoice) -> Simulation<S>,
 ) -> Simulation<S> {
@@ -106,8 +108,15 @@ fn refined<S: Mechanics>(
         fine.model.error = difference(world, &coarse, &fine);
         return fine;
     }
-    let mut step = first;
+    let mut step = calm;
     let mut coarse = at(step, Vec::new());
+    let is_calm = coarse.status == Status::Complete
+        && coarse.solver.impacts == 0
+        && coarse.events.iter().all(|event| event.time <= step);
+    if step > first && !is_calm {
+        step = first;
+        coarse = at(step, Vec::new());
+    }
     for halving in 1.. {
         if coarse.status == Status::Partial || coarse.time < world.duration {
             coarse.model.why = with(format!("the step is {step:.3e} s, at which the run ends early"));

@@ -16,6 +16,8 @@ const FOOT: f64 = 40.0;
 const HEADING: f64 = 36.0;
 /// Height of the bands for no answer, and for no error.
 const BAND: f64 = 24.0;
+/// Distance of two points up to which one word is enough for both.
+const NEAR: f64 = 14.0;
 const GRID: &str = "#e6e9ec";
 
 pub(super) struct Panel<'a> {
@@ -68,9 +70,12 @@ impl<'a> Panel<'a> {
         canvas.text(error, Align::Left, 11.0, MUTED, false, self.family.error());
         self.grid(canvas);
         for (method, points) in &self.curves {
-            let places: Vec<At> = points.iter().map(|point| self.place(point, point.time[1])).collect();
-            canvas.line(&places, Pen::stroke(Mark::of(*method).colour(), 1.4));
-            places.windows(2).for_each(|pair| labels.avoid(&along(pair[0], pair[1])));
+            // a curve does not lead to where there is no answer
+            for answered in points.split(|point| point.error.is_none()) {
+                let places: Vec<At> = answered.iter().map(|point| self.place(point, point.time[1])).collect();
+                canvas.line(&places, Pen::stroke(Mark::of(*method).colour(), 1.4));
+                places.windows(2).for_each(|pair| labels.avoid(&along(pair[0], pair[1])));
+            }
         }
         for (method, points) in &self.curves {
             for point in points {
@@ -82,16 +87,25 @@ impl<'a> Panel<'a> {
                 labels.avoid(&[at, At::new(at.x - 4.0, at.y), At::new(at.x + 4.0, at.y)]);
             }
         }
-        // what failed is told first, so that it finds room
-        let all = || self.curves.iter().flat_map(|(_, points)| points.iter());
-        for point in all().filter(|point| point.failed > 0) {
-            let at = self.place(point, point.time[1]);
-            let share = format!("{} fail", percent_of(point.failed, point.of));
-            labels.want(at, At::new(0.0, -1.0), 7.0, RED, false, share);
+        // what failed is told first, so that it finds room; without an answer all failed
+        let mut told: Vec<(At, String)> = Vec::new();
+        for point in self.curves.iter().flat_map(|(_, points)| points) {
+            if let (true, Some(_)) = (point.failed > 0, point.error) {
+                let at = self.place(point, point.time[1]);
+                let share = format!("{} fail", percent_of(point.failed, point.of));
+                if is_new(&mut told, at, &share) {
+                    labels.want(at, At::new(0.0, -1.0), 7.0, RED, false, share);
+                }
+            }
         }
-        for point in all() {
-            let at = self.place(point, point.time[1]);
-            labels.offer_near(at, At::new(1.0, 0.0), 7.0, MUTED, shortened(&point.setting, 26));
+        for (_, points) in &self.curves {
+            let ends = [points.first(), points.last()].into_iter().flatten().take(points.len());
+            for point in ends {
+                let (at, setting) = (self.place(point, point.time[1]), shortened(&point.setting, 26));
+                if is_new(&mut told, at, &setting) {
+                    labels.offer_near(at, At::new(1.0, 0.0), 7.0, MUTED, setting);
+                }
+            }
         }
         labels.draw(canvas);
     }
@@ -154,4 +168,11 @@ impl<'a> Panel<'a> {
         let [top, bottom] = self.scaled();
         bottom - self.y.map_or(0.5, |axis| axis.place(error)) * (bottom - top)
     }
+}
+
+/// Whether nothing alike is told next to it; it is from now on.
+fn is_new(told: &mut Vec<(At, String)>, at: At, text: &str) -> bool {
+    let is_told = told.iter().any(|(other, said)| said == text && other.minus(at).length() < NEAR);
+    told.push((at, text.to_owned()));
+    !is_told
 }
