@@ -106,6 +106,11 @@ fn measured(args: &Args) -> Result<(Chart, Option<Reason>), Failure> {
         stop.goes_on()
     });
     bar.clear();
+    if let (Some(only), [], []) = (&args.only, &chart.points[..], &chart.tiles[..])
+        && stop.reason().is_none()
+    {
+        return Err(Failure::NoPart { only: only.clone(), parts: chart::parts().join(", ") });
+    }
     if let Some(note) = stop.note() {
         output::complain(&format!("after {} points and {} tiles: {note}", chart.points.len(), chart.tiles.len()));
     }
@@ -146,7 +151,7 @@ fn conditions(args: &Args) -> Vec<(String, String)> {
         ("processor", format!("{cpu}, {processors} of them; one is used")),
     ];
     if !args.cases.is_empty() {
-        all.push(("cases", args.cases.join(" ")));
+        all.push(("cases", args.cases.iter().map(|case| report::csv::quoted(case)).collect::<Vec<_>>().join(" ")));
     }
     all.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }

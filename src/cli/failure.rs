@@ -81,6 +81,11 @@ pub enum Failure {
     /// A file is not one of a chart.
     #[error("error: {}: {why}; give --from the chart.csv that plan chart wrote", path.display())]
     Chart { path: PathBuf, why: String },
+    /// Nothing of a chart is called so.
+    #[error(
+        "error: no point or tile is called \"{only}\"; write one of {parts}, or an id as the commands in chart.csv do"
+    )]
+    NoPart { only: String, parts: String },
     /// Threads cannot be started.
     #[error("error: cannot start so many jobs: {0}; write a smaller number for --jobs")]
     Threads(String),

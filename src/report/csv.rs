@@ -86,7 +86,13 @@ pub fn command(chart: &Chart, id: &str) -> String {
     let cases = condition("cases").map_or_else(String::new, |cases| format!(" {cases}"));
     let quick = if condition("run") == Some("quick") { " --quick" } else { "" };
     let seed = condition("seed").unwrap_or("0");
-    format!("plan chart{cases}{quick} --seed {seed} --only '{id}'")
+    format!("plan chart{cases}{quick} --seed {seed} --only {}", quoted(id))
+}
+
+/// A word of a command, as shells take it.
+#[must_use]
+pub fn quoted(word: &str) -> String {
+    format!("'{}'", word.replace('\'', r"'\''"))
 }
 
 /// Why a text is not a chart.

@@ -9,8 +9,9 @@ pub(super) struct Logarithmic {
     high: f64,
 }
 
-/// Around the numbers shown, in decades.
+/// Around the numbers shown, in decades, and over their range.
 const SPARE: f64 = 0.18;
+const SPARE_SHARE: f64 = 0.07;
 
 /// Narrowest range, in decades.
 const LEAST: f64 = 1.0;
@@ -24,7 +25,7 @@ impl Logarithmic {
         let logarithms = values.filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
         let (low, high) =
             logarithms.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-        let spare = SPARE.max(0.5 * (LEAST - (high - low)));
+        let spare = SPARE.max(SPARE_SHARE * (high - low)).max(0.5 * (LEAST - (high - low)));
         (low <= high).then_some(Self { low: low - spare, high: high + spare })
     }
 

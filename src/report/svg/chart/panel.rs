@@ -1,6 +1,6 @@
 //! One piece of work: a curve for each method.
 
-use super::super::canvas::{Align, At, Canvas, INK, MUTED, Pen, RED};
+use super::super::canvas::{Align, At, Canvas, INK, MUTED, Pen};
 use super::super::label::Labels;
 use super::super::scene::shortened;
 use super::super::view::along;
@@ -89,21 +89,26 @@ impl<'a> Panel<'a> {
         }
         // what failed is told first, so that it finds room; without an answer all failed
         let mut told: Vec<(At, String)> = Vec::new();
-        for point in self.curves.iter().flat_map(|(_, points)| points) {
-            if let (true, Some(_)) = (point.failed > 0, point.error) {
-                let at = self.place(point, point.time[1]);
-                let share = format!("{} fail", percent_of(point.failed, point.of));
-                if is_new(&mut told, at, &share) {
-                    labels.want(at, At::new(0.0, -1.0), 7.0, RED, false, share);
+        for (_, points) in &self.curves {
+            let share = |at: usize| points.get(at).map(|point| percent_of(point.failed, point.of));
+            for (index, point) in points.iter().enumerate() {
+                let own = share(index);
+                let is_amid = index > 0 && share(index - 1) == own && share(index + 1) == own;
+                if let (true, Some(_), Some(own), false) = (point.failed > 0, point.error, own, is_amid) {
+                    let at = self.place(point, point.time[1]);
+                    let text = format!("{own} fail");
+                    if is_new(&mut told, at, &text) {
+                        labels.want(at, At::new(0.0, -1.0), 7.0, INK, false, text);
+                    }
                 }
             }
         }
-        for (_, points) in &self.curves {
+        for (method, points) in &self.curves {
             let ends = [points.first(), points.last()].into_iter().flatten().take(points.len());
             for point in ends {
-                let (at, setting) = (self.place(point, point.time[1]), shortened(&point.setting, 26));
+                let (at, setting) = (self.place(point, point.time[1]), shortened(&point.setting, 40));
                 if is_new(&mut told, at, &setting) {
-                    labels.offer_near(at, At::new(1.0, 0.0), 7.0, MUTED, setting);
+                    labels.offer_near(at, At::new(1.0, 0.0), 7.0, Mark::of(*method).colour(), setting);
                 }
             }
         }
