@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Error and CPU time of the time-steppers beside other engines, on the same scenes: benches/dynamics_peers.sh [SCENE…]
+# or, into a chart of plan chart measured before: benches/dynamics_peers.sh --chart DIR
 #
 # A SCENE is the beginning of a name in tests/dynamics/peer_scenes.json; none means all. Installs what is missing: Siconos
 # from Debian's packages (as root), MuJoCo, Chipmunk and DART from PyPI into a virtual environment of its own, Rapier from
@@ -16,6 +17,13 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$cache"
 # threads of the linear algebra would cost Siconos more than they save
 export OPENBLAS_NUM_THREADS=1
+
+chart=
+if [ "${1:-}" = --chart ]; then
+    chart=$2/chart.csv
+    [ -f "$chart" ] || { echo "no $chart: run plan chart --out $2 before" >&2; exit 2; }
+    set -- slide_stop incline_slip backspin_57 bounce_e08
+fi
 
 mapfile -t names < <(python3 - "$scenes" "$@" <<'END'
 import json, sys
@@ -60,6 +68,12 @@ for pinned in mujoco==4.0.0 pymunk==7.3.1 dartpy==6.20.0; do
     fi
 done
 if rapier; then run "Rapier (driver in Rust)" "$cache/rapier/release/rapier-driver"; else without Rapier; fi
+
+if [ -n "$chart" ]; then
+    python3 "$here/to_chart.py" "$scenes" "$work/peers" "$chart"
+    cargo run --quiet --release --locked -- chart --from "$chart" --out "$(dirname "$chart")"
+    exit
+fi
 
 echo "running partplan" >&2
 cargo bench --quiet --locked --bench dynamics -- --csv "${names[@]}" >"$work/ours"

@@ -14,6 +14,7 @@ fn point(method: &str, setting: &str, error: Option<f64>, failed: u64, time: f64
         failed,
         of: 10,
         time: [0.9 * time, time, 1.2 * time],
+        command: None,
     }
 }
 
@@ -133,7 +134,18 @@ fn any_point() -> impl Strategy<Value = ChartPoint> {
     (0..ChartFamily::ALL.len(), word(), word(), word(), numbers).prop_map(|(family, work, method, setting, numbers)| {
         let (error, failed, more, mut time) = numbers;
         time.sort_by(f64::total_cmp);
-        ChartPoint { family: ChartFamily::ALL[family], work, method, setting, error, failed, of: failed + more, time }
+        let command = (more > 50).then(|| "other --program".to_owned());
+        ChartPoint {
+            family: ChartFamily::ALL[family],
+            work,
+            method,
+            setting,
+            error,
+            failed,
+            of: failed + more,
+            time,
+            command,
+        }
     })
 }
 

@@ -34,6 +34,8 @@ pub struct ChartPoint {
     pub of: u64,
     /// CPU time in the unit of the family (s): lower quartile, median and upper quartile.
     pub time: [f64; 3],
+    /// The command that measures it again, where another program than this measured.
+    pub command: Option<String>,
 }
 
 impl ChartPoint {

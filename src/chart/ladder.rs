@@ -17,7 +17,7 @@ const MANY: [i32; 8] = [4, 5, 6, 7, 8, 9, 11, 13];
 
 /// Scenes that need no friction, no compliance, or both.
 pub(super) fn built_in(measure: &mut Measure) {
-    let mut stiff = scenes::incline(0.2);
+    let mut stiff = scenes::incline(0.5);
     scenes::comply(&mut stiff.world, 1e8, 1e3);
     let hard = Known { name: "box slips on a hard floor", ..stiff };
     for known in [scenes::incline(0.0), scenes::slide(), hard, scenes::landing(1e4)] {

@@ -84,6 +84,7 @@ impl<'a> Measure<'a> {
             failed: outcome.failed,
             of: outcome.of,
             time: time.map(|time| time / runs.max(1) as f64),
+            command: None,
         });
     }
 

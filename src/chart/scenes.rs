@@ -1,4 +1,4 @@
-//! Scenes whose ends are known.
+//! Scenes whose ends are known; those of rigid bodies are the ones on which other engines were measured.
 
 use crate::model::{Body, Compliance, Material, Obstacle, Planar, PlanarShape, Restitution, Space, World};
 
@@ -10,44 +10,45 @@ pub(super) struct Known {
     pub(super) end: Vec<[f64; 2]>,
 }
 
-/// Half of a box and radius of a ball (m).
+/// Half of the height of a box and radius of a ball, and half of the length of a box (m).
 const SIZE: f64 = 0.05;
+const LONG: f64 = 0.1;
 const GRAVITY: f64 = 9.81;
 
 /// A box that slides to a stop: v²/(2 μ g).
 pub(super) fn slide() -> Known {
-    let (mu, speed) = (0.3, 1.0);
-    let world = World { duration: 0.6, ..on_floor(block([0.0, SIZE], [speed, 0.0, 0.0]), mu) };
+    let (mu, speed) = (0.3, 3.0);
+    let world = World { duration: 1.5, ..on_floor(block([0.0, SIZE], [speed, 0.0, 0.0]), mu) };
     Known { name: "box slides to a stop", world, end: vec![[speed * speed / (2.0 * mu * GRAVITY), SIZE]] }
 }
 
-/// A box on an incline, its floor along x: (sin a - μ cos a) g t²/2.
+/// A box on an incline of slope 0.505, its floor along x: (sin a - μ cos a) g t²/2.
 pub(super) fn incline(mu: f64) -> Known {
-    let (sine, cosine) = libm::sincos(0.5);
-    let time = 0.5;
+    let (slope, time) = (0.505_f64, 2.0);
+    let cosine = 1.0 / (1.0 + slope * slope).sqrt();
     let world = World {
-        gravity: [GRAVITY * sine, -GRAVITY * cosine],
+        gravity: [GRAVITY * slope * cosine, -GRAVITY * cosine],
         duration: time,
         ..on_floor(block([0.0, SIZE], [0.0; 3]), mu)
     };
-    let end = vec![[0.5 * GRAVITY * (sine - mu * cosine) * time * time, SIZE]];
+    let end = vec![[0.5 * GRAVITY * (slope - mu) * cosine * time * time, SIZE]];
     Known { name: if mu == 0.0 { "box on ice" } else { "box slips on an incline" }, world, end }
 }
 
-/// A disc with backspin, which slips until v = ω r.
+/// A ball with backspin, which slips until it rolls back at 3/7 of its speed.
 pub(super) fn backspin() -> Known {
-    let (mu, speed, spin, time) = (0.2, 1.0, 20.0, 1.0);
-    let slips = (speed + SIZE * spin) / (3.0 * mu * GRAVITY);
+    let (mu, speed, spin, time) = (0.3, 1.0, 80.0, 2.0);
+    let slips = (speed + SIZE * spin) / (3.5 * mu * GRAVITY);
     let rolls_at = speed - mu * GRAVITY * slips;
     let x = speed * slips - 0.5 * mu * GRAVITY * slips * slips + rolls_at * (time - slips);
-    let world = World { duration: time, ..on_floor(ball([0.0, SIZE], [speed, 0.0, spin]), mu) };
-    Known { name: "disc with backspin", world, end: vec![[x, SIZE]] }
+    let world = World { duration: time, ..on_floor(ball(0.2, [0.0, SIZE], [speed, 0.0, spin]), mu) };
+    Known { name: "ball with backspin", world, end: vec![[x, SIZE]] }
 }
 
 /// A ball that bounces with a coefficient of restitution of 0.8.
 pub(super) fn bounce() -> Known {
-    let (e, height, time) = (0.8, 0.3, 1.0);
-    let mut world = World { duration: time, ..on_floor(ball([0.0, SIZE + height], [0.0; 3]), 0.2) };
+    let (e, height, time) = (0.8, 0.15, 0.82);
+    let mut world = World { duration: time, ..on_floor(ball(0.2, [0.0, SIZE + height], [0.0; 3]), 0.0) };
     world.materials.iter_mut().for_each(|material| material.restitution = Restitution::Newton(e));
     let mut since = time - (2.0 * height / GRAVITY).sqrt();
     let mut speed = e * (2.0 * height * GRAVITY).sqrt();
@@ -70,7 +71,7 @@ pub(super) fn landing(stiffness: f64) -> Known {
     let (sine, cosine) = libm::sincos(damped * pressed);
     let b = (GRAVITY * falls - damping * omega * sag) / damped;
     let deep = sag + libm::exp(-damping * omega * pressed) * (b * sine - sag * cosine);
-    let mut world = World { duration: falls + pressed, ..on_floor(ball([0.0, SIZE + drop], [0.0; 3]), 0.2) };
+    let mut world = World { duration: falls + pressed, ..on_floor(ball(1.0, [0.0, SIZE + drop], [0.0; 3]), 0.2) };
     comply(&mut world, stiffness, 2.0 * damping * omega);
     Known { name: "ball lands on a soft floor", world, end: vec![[0.0, SIZE - deep]] }
 }
@@ -94,7 +95,7 @@ pub(super) fn stack(mu: f64, ratio: f64) -> Known {
 
 /// A ball that falls onto a compliant floor and bounces; where it ends is not known in closed form.
 pub(super) fn drop(stiffness: f64) -> World<Planar> {
-    let mut world = World { duration: 0.3, ..on_floor(ball([0.0, SIZE + 0.05], [0.0; 3]), 0.2) };
+    let mut world = World { duration: 0.3, ..on_floor(ball(1.0, [0.0, SIZE + 0.05], [0.0; 3]), 0.2) };
     comply(&mut world, stiffness, 0.2 * stiffness.sqrt());
     world
 }
@@ -128,20 +129,19 @@ fn material(friction: f64) -> Material {
 }
 
 fn block(at: [f64; 2], velocity: [f64; 3]) -> Body<Planar> {
-    let corners = vec![[-SIZE, -SIZE], [SIZE, -SIZE], [SIZE, SIZE], [-SIZE, SIZE]];
-    body(PlanarShape::Polygon(corners), 2.0 * SIZE * SIZE / 3.0, at, velocity)
+    let corners = vec![[-LONG, -SIZE], [LONG, -SIZE], [LONG, SIZE], [-LONG, SIZE]];
+    body(PlanarShape::Polygon(corners), [1.0, (LONG * LONG + SIZE * SIZE) / 3.0], at, velocity)
 }
 
-fn ball(at: [f64; 2], velocity: [f64; 3]) -> Body<Planar> {
-    body(PlanarShape::Circle { center: [0.0; 2], radius: SIZE }, 0.5 * SIZE * SIZE, at, velocity)
+fn ball(mass: f64, at: [f64; 2], velocity: [f64; 3]) -> Body<Planar> {
+    body(PlanarShape::Circle { center: [0.0; 2], radius: SIZE }, [mass, 0.4 * mass * SIZE * SIZE], at, velocity)
 }
 
-/// Of 1 kg.
-fn body(shape: PlanarShape, inertia: f64, [x, y]: [f64; 2], velocity: [f64; 3]) -> Body<Planar> {
+fn body(shape: PlanarShape, [mass, inertia]: [f64; 2], [x, y]: [f64; 2], velocity: [f64; 3]) -> Body<Planar> {
     Body {
         name: "body".to_owned(),
         shape,
-        mass: 1.0,
+        mass,
         inertia: [inertia],
         pose: [x, y, 0.0],
         velocity,

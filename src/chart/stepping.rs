@@ -29,7 +29,7 @@ const MODELS: [(&str, ModelKind, bool); 4] = [
 
 /// Scenes with closed forms.
 pub(super) fn built_in(measure: &mut Measure) {
-    let known = [scenes::slide(), scenes::incline(0.2), scenes::backspin(), scenes::bounce(), scenes::landing(1e4)];
+    let known = [scenes::slide(), scenes::incline(0.5), scenes::backspin(), scenes::bounce(), scenes::landing(1e4)];
     for Known { name, world, end } in known {
         let is_compliant = world.materials.iter().any(|material| material.compliance.is_some());
         let restitutes = world.materials.iter().any(|material| material.restitution.coefficient() > 0.0);

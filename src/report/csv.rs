@@ -51,7 +51,7 @@ pub fn chart(chart: &Chart) -> String {
             &low,
             &median,
             &high,
-            &command(chart, &point.id()),
+            &command_of(chart, point),
         ]);
     }
     for tile in &chart.tiles {
@@ -78,7 +78,13 @@ pub fn chart(chart: &Chart) -> String {
     text + &String::from_utf8_lossy(&rows.into_inner().unwrap_or_default())
 }
 
-/// The command that measures a point or tile again.
+/// The command that measures a point again.
+#[must_use]
+pub fn command_of(chart: &Chart, point: &ChartPoint) -> String {
+    point.command.clone().unwrap_or_else(|| command(chart, &point.id()))
+}
+
+/// The command that measures what has this id again.
 #[must_use]
 pub fn command(chart: &Chart, id: &str) -> String {
     let condition =
@@ -134,7 +140,10 @@ pub fn read_chart(text: &str) -> Result<Chart, NoChart> {
         let line = row.position().map_or(1, csv::Position::line);
         let read = Row(&row);
         match read.text("kind") {
-            "point" => chart.points.push(read.point().map_err(|what| bad(line, what))?),
+            "point" => {
+                let point = read.point(&chart).map_err(|what| bad(line, what))?;
+                chart.points.push(point);
+            }
             "tile" => chart.tiles.push(read.tile().map_err(|what| bad(line, what))?),
             other => return Err(bad(line, format!("the kind is \"{other}\"; write point or tile"))),
         }
@@ -149,7 +158,7 @@ impl Row<'_> {
         COLUMNS.iter().position(|name| *name == column).and_then(|at| self.0.get(at)).unwrap_or_default()
     }
 
-    fn point(&self) -> Result<ChartPoint, String> {
+    fn point(&self, chart: &Chart) -> Result<ChartPoint, String> {
         let family = ChartFamily::ALL.into_iter().find(|family| family.name() == self.text("family"));
         let point = ChartPoint {
             family: family.ok_or_else(|| self.unknown(ChartFamily::ALL.map(ChartFamily::name).join(", ")))?,
@@ -164,14 +173,18 @@ impl Row<'_> {
                 self.number("time_median_s", 0.0)?,
                 self.number("time_high_s", 0.0)?,
             ],
+            command: None,
         };
+        let own = command(chart, &point.id());
+        let said = self.text("command");
+        let command = (said != own).then(|| said.to_owned());
         if point.failed > point.of {
             return Err(format!("{} of {} runs failed; at most all can", point.failed, point.of));
         }
         if !point.time.is_sorted() {
             return Err("the times are not in order; write lower quartile, median, upper quartile".to_owned());
         }
-        Ok(point)
+        Ok(ChartPoint { command, ..point })
     }
 
     fn tile(&self) -> Result<ChartTile, String> {

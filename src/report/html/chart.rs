@@ -90,7 +90,7 @@ fn points(chart: &Chart) -> String {
             point.error.map_or_else(|| "no answer".to_owned(), |error| format!("{error:.3e}")),
             point.failed,
             point.of,
-            escaped(&csv::command(chart, &point.id()))
+            escaped(&csv::command_of(chart, point))
         );
     }
     for tile in &chart.tiles {

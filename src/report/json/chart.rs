@@ -1,7 +1,7 @@
 //! The document of `plan chart`.
 
 use crate::answer::{Chart, ChartPoint, ChartTile};
-use crate::report::csv::command;
+use crate::report::csv::{command, command_of};
 use serde_json::{Map, Value, json};
 
 /// Schema of `plan chart`.
@@ -34,7 +34,7 @@ fn point(chart: &Chart, point: &ChartPoint) -> Value {
         "failed": point.failed,
         "of": point.of,
         "time": point.time,
-        "command": command(chart, &point.id()),
+        "command": command_of(chart, point),
     })
 }
 

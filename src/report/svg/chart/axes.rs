@@ -84,7 +84,7 @@ mod tests {
     fn odd_ranges_have_an_axis() {
         assert!(Logarithmic::around([0.0, -1.0, f64::NAN, f64::INFINITY].into_iter()).is_none());
         let one = Logarithmic::around([5.0].into_iter()).unwrap();
-        assert_eq!(one.place(5.0), 0.5);
+        assert!((one.place(5.0) - 0.5).abs() < 1e-9);
         assert!(!one.ticks().is_empty());
         let wide = Logarithmic::around([1e-300, 1e300].into_iter()).unwrap();
         assert!(wide.ticks().len() <= 10 && wide.place(0.0) == 0.0);

@@ -9,7 +9,7 @@ pub(in super::super) struct Mark {
     is_hollow: bool,
 }
 
-const COLOURS: [&str; 7] = [BLUE, RED, GREEN, PINK, ORANGE, SKY, INK];
+const COLOURS: [&str; 10] = [BLUE, RED, GREEN, PINK, ORANGE, SKY, INK, "#8a6d3b", "#7a5195", "#8d959c"];
 const SIZE: f64 = 4.6;
 
 impl Mark {
@@ -38,6 +38,12 @@ impl Mark {
             2 => polygon(&[90.0, 210.0, 330.0], 1.4),
             3 => polygon(&[0.0, 90.0, 180.0, 270.0], 1.4),
             4 => polygon(&[270.0, 30.0, 150.0], 1.4),
+            7 => polygon(&[0.0, 120.0, 240.0], 1.4),
+            8 => polygon(&[60.0, 180.0, 300.0], 1.4),
+            9 => {
+                let star = |turn: u32| corner(f64::from(turn) * 36.0 + 90.0, if turn % 2 == 0 { 1.6 } else { 0.7 });
+                (0..10).map(star).collect()
+            }
             5 => polygon(&[18.0, 90.0, 162.0, 234.0, 306.0], 1.25),
             _ => polygon(&[0.0, 60.0, 120.0, 180.0, 240.0, 300.0], 1.25),
         };
