@@ -112,7 +112,7 @@ fn cones(bits: u32, kind: Kind, count: usize, seed: u64) -> Vec<Work> {
 fn normal(random: &mut Random, bits: u32) -> Vec<Z> {
     loop {
         let mask = (1_u64 << bits) - 1;
-        let mut entry = || Z::from(random.next() & mask) * if random.next() & 1 == 0 { 1 } else { -1 };
+        let mut entry = || Z::from(random.number() & mask) * if random.number() & 1 == 0 { 1 } else { -1 };
         let row: Vec<Z> = (0..DIMENSION).map(|_| entry()).collect();
         let side: Z = row.iter().sum();
         match side.cmp(&Z::default()) {

@@ -9,7 +9,7 @@ pub struct Random(pub u64);
 impl Random {
     /// Any number.
     #[must_use]
-    pub fn next(&mut self) -> u64 {
+    pub fn number(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -19,7 +19,7 @@ impl Random {
 
     /// Uniform in `low..high`.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
+        low + (high - low) * ((self.number() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// Log-uniform between powers of ten.
@@ -29,7 +29,7 @@ impl Random {
 
     /// One of `low..=high`.
     pub fn count(&mut self, low: usize, high: usize) -> usize {
-        low + (self.next() % (high - low + 1) as u64) as usize
+        low + (self.number() % (high - low + 1) as u64) as usize
     }
 
     /// Whether something of this probability is so.

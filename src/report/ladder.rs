@@ -1,6 +1,17 @@
 //! How far the automatic choice of a model is from the cheapest that would have done.
 
+use super::decimal::{duration, near};
 use crate::answer::{Chart, ChartFamily, ChartPoint};
+
+/// What a table of automatic choices tells.
+pub(super) const HEADINGS: [&str; 6] = [
+    "scene",
+    "choice",
+    "error (m)",
+    "time",
+    "over the cheapest rung as accurate",
+    "over the cheapest within the tolerance",
+];
 
 /// An automatic choice beside the rungs of the ladder at fixed steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +28,17 @@ impl LadderRow<'_> {
     /// Time of the choice over that of a point.
     pub(super) fn ratio(&self, to: Option<&ChartPoint>) -> Option<f64> {
         to.map(|point| self.auto.time[1] / point.time[1])
+    }
+
+    /// The cells of a table under [`HEADINGS`].
+    pub(super) fn cells(&self) -> [String; 6] {
+        let ChartPoint { work, setting, error, time, .. } = self.auto;
+        let beside = |to: Option<&ChartPoint>| match (to, self.ratio(to)) {
+            (Some(point), Some(ratio)) => format!("{} ({}, {})", near(ratio, 2), point.method, point.setting),
+            _ => "no rung is".to_owned(),
+        };
+        let error = error.map_or_else(|| "none".to_owned(), |error| near(error, 2));
+        [work.clone(), setting.clone(), error, duration(time[1]), beside(self.envelope), beside(self.enough)]
     }
 }
 

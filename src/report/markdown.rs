@@ -48,17 +48,9 @@ fn shown(point: &ChartPoint) -> String {
 }
 
 fn choices(text: &mut String, chart: &Chart) {
-    let head = "| scene | choice | error (m) | time | over the cheapest rung as accurate | over the cheapest within the tolerance |";
-    let _ = writeln!(text, "{head}\n|---|---|---|---|---|---|");
+    let _ = writeln!(text, "| {} |\n|---|---|---|---|---|---|", ladder::HEADINGS.join(" | "));
     for row in ladder::rows(chart) {
-        let auto = row.auto;
-        let error = auto.error.map_or_else(|| "none".to_owned(), |error| near(error, 2));
-        let [envelope, enough] = [row.envelope, row.enough].map(|to| match (to, row.ratio(to)) {
-            (Some(point), Some(ratio)) => format!("{} ({}, {})", near(ratio, 2), point.method, point.setting),
-            _ => "no rung is".to_owned(),
-        });
-        let time = duration(auto.time[1]);
-        let _ = writeln!(text, "| {} | {} | {error} | {time} | {envelope} | {enough} |", auto.work, auto.setting);
+        let _ = writeln!(text, "| {} |", row.cells().join(" | "));
     }
 }
 

@@ -1,8 +1,8 @@
 //! The page of `plan chart`: all figures, tables and the numbers behind them in one file.
 
-use super::escaped;
+use super::{document, escaped};
 use crate::answer::{Chart, ChartFamily, ChartMap};
-use crate::report::decimal::{duration, near};
+use crate::report::decimal::duration;
 use crate::report::{csv, ladder, svg};
 use std::fmt::Write as _;
 
@@ -29,26 +29,14 @@ pub fn chart(chart: &Chart) -> String {
     }
     body.push_str(&points(chart));
     let data: String = csv::chart(chart).bytes().map(encoded).collect();
-    format!(
-        r#"<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Error against time</title>
-<style>
-{STYLE}</style>
-</head>
-<body>
-<h1>Error against time</h1>
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+    let body = format!(
+        r#"<h1>Error against time</h1>
 <p>Methods of each family on the same work. Errors and failures are the same for a seed; times are CPU times, medians with
 quartiles. <a download="chart.csv" href="data:text/csv;charset=utf-8,{data}">All numbers as chart.csv</a>.</p>
-{body}
-</body>
-</html>
-"#
-    )
+{body}"#
+    );
+    document("Error against time", policy, STYLE, &body)
 }
 
 fn choices(chart: &Chart) -> String {
@@ -56,23 +44,9 @@ fn choices(chart: &Chart) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let head = [
-        "scene",
-        "choice",
-        "error (m)",
-        "time",
-        "over the cheapest rung as accurate",
-        "over the cheapest within the tolerance",
-    ];
-    let mut table = format!("<div class=\"wide\"><table>{}", heading(&head));
+    let mut table = format!("<div class=\"wide\"><table>{}", heading(&ladder::HEADINGS));
     for found in rows {
-        let error = found.auto.error.map_or_else(|| "none".to_owned(), |error| near(error, 2));
-        let [envelope, enough] = [found.envelope, found.enough].map(|to| match (to, found.ratio(to)) {
-            (Some(point), Some(ratio)) => format!("{} ({}, {})", near(ratio, 2), point.method, point.setting),
-            _ => "no rung is".to_owned(),
-        });
-        let time = duration(found.auto.time[1]);
-        table.push_str(&row(&[&found.auto.work, &found.auto.setting, &error, &time, &envelope, &enough]));
+        table.push_str(&row(&found.cells().each_ref().map(String::as_str)));
     }
     table + "</table></div>"
 }

@@ -25,20 +25,10 @@ pub fn simulation<S: Shown>(run: &Run<S>, answer: &Simulation<S>) -> String {
 
 /// A page that plays frames; `data` is what its script reads.
 fn page(name: &str, said: &str, remark: &str, data: &Value) -> String {
-    let (name, said, remark, data) = (escaped(name), escaped(said), escaped(remark), embedded(data));
-    format!(
-        r#"<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{name}</title>
-<style>
-{STYLE}</style>
-</head>
-<body>
-<h1>{name}</h1>
+    let (heading, said, remark, data) = (escaped(name), escaped(said), escaped(remark), embedded(data));
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+    let body = format!(
+        r#"<h1>{heading}</h1>
 <p id="said">{said}</p>
 <div id="views"></div>
 <div id="controls">
@@ -53,7 +43,27 @@ fn page(name: &str, said: &str, remark: &str, data: &Value) -> String {
 <p class="remark">{remark} Space starts and stops, the arrow keys step.</p>
 <script type="application/json" id="run">{data}</script>
 <script>
-{SCRIPT}</script>
+{SCRIPT}</script>"#
+    );
+    document(name, policy, STYLE, &body)
+}
+
+/// A page in one file.
+fn document(title: &str, policy: &str, style: &str, body: &str) -> String {
+    let title = escaped(title);
+    format!(
+        r#"<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>
+{style}</style>
+</head>
+<body>
+{body}
 </body>
 </html>
 "#

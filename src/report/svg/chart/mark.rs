@@ -41,7 +41,8 @@ impl Mark {
             7 => polygon(&[0.0, 120.0, 240.0], 1.4),
             8 => polygon(&[60.0, 180.0, 300.0], 1.4),
             9 => {
-                let star = |turn: u32| corner(f64::from(turn) * 36.0 + 90.0, if turn % 2 == 0 { 1.6 } else { 0.7 });
+                let star =
+                    |turn: u32| corner(f64::from(turn) * 36.0 + 90.0, if turn.is_multiple_of(2) { 1.6 } else { 0.7 });
                 (0..10).map(star).collect()
             }
             5 => polygon(&[18.0, 90.0, 162.0, 234.0, 306.0], 1.25),

@@ -35,20 +35,17 @@ impl Dimensioned {
     }
 
     pub(super) fn draw(&self, canvas: &mut Canvas, middle: [f64; 2], room: &Room) {
-        let center = At::new((room.low.x + room.high.x) / 2.0, (room.low.y + room.high.y) / 2.0);
-        let place = |[x, y]: [f64; 2]| {
-            At::new(center.x + (x - middle[0]) * room.scale, center.y - (y - middle[1]) * room.scale)
-        };
+        let place = room.centered(middle);
         let mut labels = Labels::within([room.low, room.high]).rimmed();
         for outline in &self.fixed {
             obstacle(canvas, outline, room, &place);
-            let corners: Vec<At> = extent(outline).into_iter().map(place).collect();
+            let corners: Vec<At> = extent(outline).into_iter().map(&place).collect();
             let next = corners.iter().cycle().skip(1);
             corners.iter().zip(next).for_each(|(from, to)| labels.avoid(&along(*from, *to)));
         }
         for dimension in &self.dimensions {
-            let [from, to] = dimension.ends.map(place);
-            match dimension.corner.map(place) {
+            let [from, to] = dimension.ends.map(&place);
+            match dimension.corner.map(&place) {
                 None => distance(canvas, &mut labels, dimension, from, to),
                 Some(corner) => angle(canvas, &mut labels, dimension, corner, [from, to]),
             }

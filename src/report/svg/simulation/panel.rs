@@ -46,6 +46,15 @@ pub(super) struct Room {
     pub(super) scale: f64,
 }
 
+impl Room {
+    /// Where points (m) are drawn, with `middle` in the middle.
+    pub(super) fn centered(&self, middle: [f64; 2]) -> impl Fn([f64; 2]) -> At + use<> {
+        let center = At::new((self.low.x + self.high.x) / 2.0, (self.low.y + self.high.y) / 2.0);
+        let scale = self.scale;
+        move |[x, y]: [f64; 2]| At::new(center.x + (x - middle[0]) * scale, center.y - (y - middle[1]) * scale)
+    }
+}
+
 impl<'a> Panel<'a> {
     pub(super) fn new<S: Shown>(run: &Run<'a, S>, snapshots: &Snapshots<S>, view: View) -> Self {
         let world = run.world;
@@ -92,10 +101,7 @@ impl<'a> Panel<'a> {
 
     pub(super) fn draw(&self, canvas: &mut Canvas, legend: &mut Legend, room: &Room) {
         let middle = [(self.low[0] + self.high[0]) / 2.0, (self.low[1] + self.high[1]) / 2.0];
-        let center = At::new((room.low.x + room.high.x) / 2.0, (room.low.y + room.high.y) / 2.0);
-        let place = |[x, y]: [f64; 2]| {
-            At::new(center.x + (x - middle[0]) * room.scale, center.y - (y - middle[1]) * room.scale)
-        };
+        let place = room.centered(middle);
         let mut labels = Labels::within([room.low, room.high]).rimmed();
         for outline in &self.fixed {
             obstacle(canvas, outline, room, &place);
