@@ -41,7 +41,7 @@ pub(super) fn measure(measure: &mut Measure) {
         let problems = problems(family, measure.pick(counts[0], counts[1]), measure.question.seed);
         let mut point = |method: &str, setting: &str, how: Method, problems: &[(Problem, Vec<f64>)]| {
             let curve = Curve { family: ChartFamily::Complementarity, work, method };
-            measure.point(curve, setting, problems.len() as u64, || answered(how, problems));
+            measure.point(curve, setting, problems.len() as u64, |_| answered(how, problems));
         };
         point("Lemke, doubles", "alone", Method::Lemke, &problems);
         point("ladder, doubles", "5 methods", Method::Doubles, &problems);

@@ -67,7 +67,7 @@ fn over_bits(measure: &mut Measure, work: &str, kind: Kind, method: &str, faces:
         }
         let cones = cones(bits, kind, measure.pick(COUNTS[0], COUNTS[1]), measure.question.seed);
         let curve = Curve { family: ChartFamily::Cone, work, method };
-        measure.point(curve, &setting, cones.len() as u64, || {
+        measure.point(curve, &setting, cones.len() as u64, |_| {
             let (mut answered, mut wrong) = (0_u64, 0_u64);
             for cone in &cones {
                 if let Some(found) = faces(cone) {

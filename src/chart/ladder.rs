@@ -2,7 +2,7 @@
 
 use super::measure::{Curve, Measure};
 use super::scenes::{self, Known};
-use super::stepping::ended;
+use super::stepping::{ended, seldom};
 use crate::answer::ChartFamily;
 use crate::dynamics::{Mechanics, ModelKind, Options, simulate};
 use crate::model::{Planar, World};
@@ -43,7 +43,7 @@ fn rungs(measure: &mut Measure, known: &Known) {
             let step = Some(world.duration / 2_f64.powi(power));
             let options = Options { model, step, second_order: true, frames: 2, ..Options::default() };
             let curve = Curve { family: ChartFamily::Ladder, work: name, method };
-            measure.point(curve, &format!("{} steps", 1 << power), 1, || ended(world, &options, end));
+            measure.point(curve, &format!("{} steps", 1 << power), 1, |watch| ended(world, &options, end, watch));
         }
     }
     automatic(measure, name, world, end);
@@ -57,8 +57,9 @@ pub(super) fn automatic<S: Mechanics, P: AsRef<[f64]>>(measure: &mut Measure, na
         if !measure.wants(&[curve.family.name(), name, curve.method]) {
             return;
         }
-        let Ok(run) = simulate(world, &options, &mut |_| true) else { continue };
+        let watch = measure.watch();
+        let Ok(run) = simulate(world, &options, &mut seldom(&watch)) else { continue };
         let setting = format!("tolerance {tolerance}: {} at h = {:.1e}", run.model.chosen, run.model.step);
-        measure.point(curve, &setting, 1, || ended(world, &options, end));
+        measure.point(curve, &setting, 1, |watch| ended(world, &options, end, watch));
     }
 }

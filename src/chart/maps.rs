@@ -95,7 +95,7 @@ fn degeneracy_and_conditioning(measure: &mut Measure) {
 fn run<P: AsRef<[f64]>>(world: &World<Planar>, options: &Options, end: &[P], good: f64) -> [u64; 3] {
     match simulate(world, options, &mut |_| true) {
         Ok(run) if run.status == Status::Ambiguous || run.status == Status::Inconsistent => [0, 1, 0],
-        Ok(run) if run.status == Status::Complete && distance(&run, end) <= good => [1, 0, 0],
+        Ok(run) if run.status == Status::Complete && distance::<Planar, P>(&run.last.poses, end) <= good => [1, 0, 0],
         _ => [0, 0, 1],
     }
 }

@@ -14,7 +14,7 @@ const RUNS: [usize; 2] = [5, 101];
 /// What is measured so far.
 pub(super) struct Measure<'a> {
     pub(super) question: &'a ChartQuestion,
-    watch: &'a mut dyn FnMut(ChartProgress) -> bool,
+    watch: &'a dyn Fn(ChartProgress) -> bool,
     chart: Chart,
     is_stopped: bool,
 }
@@ -36,7 +36,7 @@ pub(super) struct Outcome {
 }
 
 impl<'a> Measure<'a> {
-    pub(super) fn new(question: &'a ChartQuestion, watch: &'a mut dyn FnMut(ChartProgress) -> bool) -> Self {
+    pub(super) fn new(question: &'a ChartQuestion, watch: &'a dyn Fn(ChartProgress) -> bool) -> Self {
         Self { question, watch, chart: Chart::default(), is_stopped: false }
     }
 
@@ -64,17 +64,34 @@ impl<'a> Measure<'a> {
         self.wants(&[family.name()])
     }
 
-    /// A point: `run` does all of its work once and says what came of it.
-    pub(super) fn point(&mut self, curve: Curve, setting: &str, runs: u64, mut run: impl FnMut() -> Outcome) {
+    /// Asked on the way of long work whether to go on.
+    pub(super) fn watch(&self) -> impl Fn() -> bool + use<'a> {
+        let (watch, done) = (self.watch, self.chart.points.len() + self.chart.tiles.len());
+        move || watch(ChartProgress { done, part: "" })
+    }
+
+    /// A point: `run` does all of its work once, asks on the way whether to go on, and says what came of it.
+    pub(super) fn point(
+        &mut self,
+        curve: Curve,
+        setting: &str,
+        runs: u64,
+        mut run: impl FnMut(&dyn Fn() -> bool) -> Outcome,
+    ) {
         let Curve { family, work, method } = curve;
         if !self.wants(&[family.name(), work, method, setting]) || !self.goes_on(family.name()) {
             return;
         }
-        let outcome = run();
+        let watch = self.watch();
+        let outcome = run(&watch);
         let enough = self.pick(ENOUGH[0], ENOUGH[1]);
         let time = quartiles(enough, || {
-            black_box(run());
+            black_box(run(&watch));
         });
+        // what was ended on its way says nothing
+        if !self.goes_on(family.name()) {
+            return;
+        }
         self.chart.points.push(ChartPoint {
             family,
             work: work.to_owned(),
@@ -99,7 +116,7 @@ impl<'a> Measure<'a> {
         self.chart.tiles.push(tile);
     }
 
-    fn goes_on(&mut self, part: &'static str) -> bool {
+    pub(super) fn goes_on(&mut self, part: &'static str) -> bool {
         let done = self.chart.points.len() + self.chart.tiles.len();
         self.is_stopped = self.is_stopped || !(self.watch)(ChartProgress { done, part });
         !self.is_stopped

@@ -37,15 +37,16 @@ pub struct ChartQuestion {
 pub struct ChartProgress {
     /// Points and tiles measured.
     pub done: usize,
-    /// What is measured next.
+    /// What is measured next; empty on the way.
     pub part: &'static str,
 }
 
-/// Measures methods against each other, each on the same work; `watch` says before each point whether to go on.
+/// Measures methods against each other, each on the same work; `watch` says before each point, and on the way of long ones,
+/// whether to go on.
 ///
 /// Errors and failures are the same for a seed; times are CPU times of this thread, quartiles over repeated runs.
 #[must_use]
-pub fn chart(question: &ChartQuestion, watch: &mut dyn FnMut(ChartProgress) -> bool) -> Chart {
+pub fn chart(question: &ChartQuestion, watch: &dyn Fn(ChartProgress) -> bool) -> Chart {
     let mut measure = Measure::new(question, watch);
     if question.scenes.is_empty() {
         stepping::built_in(&mut measure);

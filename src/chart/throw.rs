@@ -37,12 +37,12 @@ pub(super) fn measure(measure: &mut Measure) {
     };
     let curve = |method| Curve { family: ChartFamily::Throw, work: "triangle with sides 6, 8 and 10", method };
     for starts in STARTS {
-        measure.point(curve("orbits of points"), &format!("{starts} starts an edge"), 1, || {
+        measure.point(curve("orbits of points"), &format!("{starts} starts an edge"), 1, |_| {
             outcome(answer(starts, None).map(|answer| visited(&answer)))
         });
     }
     for cells in measure.pick(QUICK.to_vec(), WHOLE.to_vec()) {
-        measure.point(curve("proof by intervals"), &format!("{cells} cells a radius"), 1, || {
+        measure.point(curve("proof by intervals"), &format!("{cells} cells a radius"), 1, |_| {
             outcome(answer(0, Some(cells)).map(|answer| proved(&answer)))
         });
     }

@@ -41,7 +41,7 @@ pub(super) fn measure(measure: &mut Measure) {
         let few = &pairs[..pairs.len().div_ceil(20)];
         let mut point = |method: &str, pairs: &[Pair], says: &dyn Fn(&Pair) -> bool| {
             let curve = Curve { family: ChartFamily::Toppling, work: "pins near critical heights", method };
-            measure.point(curve, &setting, pairs.len() as u64, || {
+            measure.point(curve, &setting, pairs.len() as u64, |_| {
                 let failed = pairs.iter().filter(|pair| says(pair) != pair.is_above).count() as u64;
                 let of = pairs.len() as u64;
                 Outcome { error: Some(failed as f64 / of as f64), failed, of }

@@ -11,6 +11,7 @@ use partplan::answer::{Chart, ChartFamily, ChartMap};
 use partplan::chart::{self, ChartQuestion};
 use partplan::model::Scene;
 use partplan::report;
+use std::cell::RefCell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -100,12 +101,13 @@ fn measured(args: &Args) -> Result<(Chart, Option<Reason>), Failure> {
     if cfg!(debug_assertions) {
         output::complain("warning: this is no release build: its times say little");
     }
-    let (bar, mut stop) = (Bar::new(), Stop::new(args.limits));
-    let mut chart = chart::chart(&question, &mut |progress| {
+    let (bar, stop) = (Bar::new(), RefCell::new(Stop::new(args.limits)));
+    let mut chart = chart::chart(&question, &|progress| {
         bar.show_chart(&progress);
-        stop.goes_on()
+        stop.borrow_mut().goes_on()
     });
     bar.clear();
+    let stop = stop.into_inner();
     if let (Some(only), [], []) = (&args.only, &chart.points[..], &chart.tiles[..])
         && stop.reason().is_none()
     {
