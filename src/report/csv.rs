@@ -28,7 +28,7 @@ const COLUMNS: [&str; 16] = [
 pub fn chart(chart: &Chart) -> String {
     let mut text = String::new();
     for (name, value) in &chart.conditions {
-        let _ = writeln!(text, "# {name}: {value}");
+        let _ = writeln!(text, "# {}: {}", on_a_line(name), on_a_line(value));
     }
     let mut rows = csv::Writer::from_writer(Vec::new());
     // writing into memory does not fail
@@ -116,29 +116,34 @@ pub struct NoChart {
 /// # Errors
 /// [`NoChart`] for the first line that it would not have written.
 pub fn read_chart(text: &str) -> Result<Chart, NoChart> {
+    // spreadsheets write a byte order mark
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut chart = Chart::default();
     let comments: Vec<&str> = text.lines().take_while(|line| line.starts_with('#')).collect();
     for (index, comment) in comments.iter().enumerate() {
-        let condition = comment.trim_start_matches("# ").split_once(": ");
+        let condition = comment.strip_prefix("# ").and_then(|condition| condition.split_once(": "));
         let (name, value) = condition.ok_or_else(|| NoChart {
             line: index as u64 + 1,
             what: format!("\"{comment}\" where a condition is needed; write \"# seed: 0\""),
         })?;
-        chart.conditions.push((name.to_owned(), value.to_owned()));
+        chart.conditions.push((as_it_was(name), as_it_was(value)));
     }
     let rest = text.split_inclusive('\n').skip(comments.len()).collect::<String>();
-    let mut rows = csv::ReaderBuilder::new().from_reader(rest.as_bytes());
-    let before = comments.len() as u64;
-    let bad = |line: u64, what: String| NoChart { line: before + line, what };
-    let broken = |error: &csv::Error| bad(error.position().map_or(1, csv::Position::line), error.to_string());
+    let mut rows = csv::ReaderBuilder::new().flexible(true).from_reader(rest.as_bytes());
+    let bad =
+        |at: Option<&csv::Position>, what: String| NoChart { line: comments.len() as u64 + line(&rest, at), what };
+    let broken = |error: &csv::Error| bad(error.position(), format!("{error}; write rows of comma-separated values"));
     let header = rows.headers().map_err(|error| broken(&error))?;
     if header.iter().ne(COLUMNS) {
-        return Err(bad(1, format!("these are not the columns of a chart; write {}", COLUMNS.join(","))));
+        return Err(bad(None, format!("these are not the columns of a chart; write {}", COLUMNS.join(","))));
     }
     for row in rows.records() {
         let row = row.map_err(|error| broken(&error))?;
-        let line = row.position().map_or(1, csv::Position::line);
+        let line = row.position();
         let read = Row(&row);
+        if row.len() != COLUMNS.len() {
+            return Err(bad(line, format!("the row has {} fields; write {}", row.len(), COLUMNS.len())));
+        }
         match read.text("kind") {
             "point" => {
                 let point = read.point(&chart).map_err(|what| bad(line, what))?;
@@ -149,6 +154,34 @@ pub fn read_chart(text: &str) -> Result<Chart, NoChart> {
         }
     }
     Ok(chart)
+}
+
+/// The line of a row, counted from 1: where its first character is, past any empty lines.
+fn line(text: &str, at: Option<&csv::Position>) -> u64 {
+    let start = at.map_or(0, |at| usize::try_from(at.byte()).unwrap_or(usize::MAX));
+    let Some((before, rest)) = text.split_at_checked(start) else { return 1 };
+    let empty = rest.len() - rest.trim_start_matches(['\r', '\n']).len();
+    1 + before.chars().chain(rest[..empty].chars()).filter(|c| *c == '\n').count() as u64
+}
+
+/// A text without line breaks.
+fn on_a_line(text: &str) -> String {
+    text.replace('\\', r"\\").replace('\n', r"\n").replace('\r', r"\r")
+}
+
+/// What [`on_a_line`] was given.
+fn as_it_was(text: &str) -> String {
+    let mut letters = text.chars();
+    let mut whole = String::new();
+    while let Some(letter) = letters.next() {
+        let next = if letter == '\\' { letters.next() } else { Some(letter) };
+        match (letter, next) {
+            ('\\', Some('n')) => whole.push('\n'),
+            ('\\', Some('r')) => whole.push('\r'),
+            (_, next) => whole.extend(next),
+        }
+    }
+    whole
 }
 
 struct Row<'a>(&'a csv::StringRecord);
@@ -180,6 +213,10 @@ impl Row<'_> {
         let command = (said != own).then(|| said.to_owned());
         if point.failed > point.of {
             return Err(format!("{} of {} runs failed; at most all can", point.failed, point.of));
+        }
+        if point.error.is_none() && point.failed < point.of {
+            let answers = point.of - point.failed;
+            return Err(format!("{answers} runs did not fail and there is no error; write the error of their answers"));
         }
         if !point.time.is_sorted() {
             return Err("the times are not in order; write lower quartile, median, upper quartile".to_owned());
