@@ -143,7 +143,11 @@ pub(super) fn percent_of(part: u64, of: u64) -> String {
     if (whole > 0.0 && whole < 100.0) || part == 0 || part == of {
         format!("{whole} %")
     } else {
-        format!("{} %", near(share, if whole == 0.0 { 2 } else { 4 }))
+        match share {
+            share if share > 99.99 => "more than 99.99 %".to_owned(),
+            share if whole > 0.0 => format!("{} %", near(share, 4)),
+            share => format!("{} %", near(share, 2)),
+        }
     }
 }
 
@@ -344,8 +348,8 @@ mod tests {
     #[test]
     fn times_and_shares_have_their_units() {
         assert_eq!([2.5e-9, 1e-6, 0.5, 90.0].map(duration), ["2.5 ns", "1 µs", "500 ms", "90 s"]);
-        let shares =
-            [(0, 300), (1, 300), (1, 2), (299, 300), (300, 300), (0, 0)].map(|(part, of)| percent_of(part, of));
-        assert_eq!(shares, ["0 %", "0.33 %", "50 %", "99.67 %", "100 %", "0 %"]);
+        let shares = [(0, 300), (1, 300), (1, 2), (299, 300), (300, 300), (0, 0), (999_999, 1_000_000)]
+            .map(|(part, of)| percent_of(part, of));
+        assert_eq!(shares, ["0 %", "0.33 %", "50 %", "99.67 %", "100 %", "0 %", "more than 99.99 %"]);
     }
 }

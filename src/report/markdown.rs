@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 #[must_use]
 pub fn chart(chart: &Chart) -> String {
     let mut text = String::from("Measured with");
-    let conditions = chart.conditions.iter().map(|(name, value)| format!(" {name} {value}"));
+    let conditions = chart.conditions.iter().map(|(name, value)| cell(&format!(" {name} {value}")));
     let _ = writeln!(text, "{}.", conditions.collect::<Vec<_>>().join(","));
     for family in ChartFamily::ALL {
         let points: Vec<&ChartPoint> = chart.points.iter().filter(|point| point.family == family).collect();
@@ -27,13 +27,15 @@ pub fn chart(chart: &Chart) -> String {
 /// Works down, methods across.
 fn methods(text: &mut String, points: &[&ChartPoint]) {
     let methods = distinct(points.iter().map(|point| point.method.as_str()));
-    let _ = writeln!(text, "| work | {} |\n|---{}|", methods.join(" | "), "|---".repeat(methods.len()));
+    let names = methods.iter().map(|method| cell(method)).collect::<Vec<_>>();
+    let _ = writeln!(text, "| work | {} |\n|---{}|", names.join(" | "), "|---".repeat(methods.len()));
     for work in distinct(points.iter().map(|point| point.work.as_str())) {
-        let cell = |method: &&str| {
+        let last = |method: &&str| {
             let last = points.iter().rfind(|point| point.work == work && point.method == **method);
-            last.map_or_else(String::new, |point| shown(point))
+            last.map_or_else(String::new, |point| cell(&shown(point)))
         };
-        let _ = writeln!(text, "| {work} | {} |", methods.iter().map(cell).collect::<Vec<_>>().join(" | "));
+        let cells = methods.iter().map(last).collect::<Vec<_>>();
+        let _ = writeln!(text, "| {} | {} |", cell(work), cells.join(" | "));
     }
 }
 
@@ -50,7 +52,7 @@ fn shown(point: &ChartPoint) -> String {
 fn choices(text: &mut String, chart: &Chart) {
     let _ = writeln!(text, "| {} |\n|---|---|---|---|---|---|", ladder::HEADINGS.join(" | "));
     for row in ladder::rows(chart) {
-        let _ = writeln!(text, "| {} |", row.cells().join(" | "));
+        let _ = writeln!(text, "| {} |", row.cells().map(|text| cell(&text)).join(" | "));
     }
 }
 
@@ -68,12 +70,19 @@ fn maps(text: &mut String, chart: &Chart) {
         for method in distinct(tiles().map(|tile| tile.method.as_str())) {
             let counts = tiles()
                 .filter(|tile| tile.method == method)
-                .fold([0; 3], |[a, b, c], tile| [a + tile.succeeded, b + tile.ambiguous, c + tile.failed]);
-            let of = counts.iter().sum();
+                .map(|tile| [tile.succeeded, tile.ambiguous, tile.failed])
+                .fold([0; 3], |sum: [u64; 3], counts| [0, 1, 2].map(|at| sum[at].saturating_add(counts[at])));
+            let of = counts.into_iter().fold(0, u64::saturating_add);
             let [good, ambiguous, failed] = counts.map(|count| percent_of(count, of));
+            let method = cell(method);
             let _ = writeln!(text, "| {} | {method} | {good} | {ambiguous} | {failed} |", map.title());
         }
     }
+}
+
+/// A text in which Markdown sees no end of a cell, of a line, and no tag.
+fn cell(text: &str) -> String {
+    text.replace('\\', r"\\").replace('|', r"\|").replace('<', "&lt;").replace(['\r', '\n'], " ")
 }
 
 /// Each once, in the order of their first occurrence.

@@ -20,6 +20,7 @@ pub fn chart(chart: &Chart) -> Value {
         "result": {
             "points": chart.points.iter().map(|one| point(chart, one)).collect::<Value>(),
             "tiles": chart.tiles.iter().map(|one| tile(chart, one)).collect::<Value>(),
+            "limit": chart.limit.map(|limit| limit.name()),
         },
     })
 }

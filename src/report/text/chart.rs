@@ -33,8 +33,9 @@ pub fn chart(chart: &Chart) -> String {
         }
     }
     for (index, row) in ladder::rows(chart).into_iter().enumerate() {
+        let nothing = if row.auto.error.is_none() { "no answer" } else { "no rung is as accurate" };
         let ratio = row.ratio(row.envelope).map_or_else(
-            || "no rung is as accurate".to_owned(),
+            || nothing.to_owned(),
             |ratio| format!("{} times the cheapest rung as accurate", near(ratio, 2)),
         );
         report
