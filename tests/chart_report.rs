@@ -80,6 +80,65 @@ fn bad_rows_are_refused_with_their_line() {
     assert!(said("# run: quick", "# run").starts_with("line 1: \"# run\" where a condition is needed"));
     assert!(said("1.2e-5", "1e-9").contains("the times are not in order"));
     assert!(csv::read_chart("").is_err());
+    assert!(said("5e-4", "").starts_with("line 4: 10 runs did not fail and there is no error; write the error of"));
+    assert_eq!(said("point,ladder,box,", "point,ladder,"), "line 4: the row has 15 fields; write 16");
+}
+
+/// Also below fields and commands with line breaks, below empty lines, and with the line ends of other systems.
+#[test]
+fn lines_are_counted_as_editors_do() {
+    let mut chart = ladder();
+    chart.points[0].method = "ri\ngid".to_owned();
+    let bad = csv::chart(&chart).replacen("point,ladder,box,auto", "dot,ladder,box,auto", 1);
+    for text in [bad.clone(), bad.replace("\npoint", "\n\n\npoint"), bad.replace("\ndot", "\n\ndot")] {
+        for text in [text.clone(), text.replace('\n', "\r\n")] {
+            let line = text.lines().position(|line| line.starts_with("dot,")).unwrap() + 1;
+            let said = csv::read_chart(&text).unwrap_err().to_string();
+            assert!(said.starts_with(&format!("line {line}: the kind is \"dot\"")), "{said} in {text}");
+        }
+    }
+    assert_eq!(csv::read_chart(&format!("\u{feff}{}", csv::chart(&chart))), Ok(chart));
+}
+
+/// A choice without an answer is as accurate as nothing; what it fails in is told beside it.
+#[test]
+fn a_choice_that_fails_is_not_flattered() {
+    let mut chart = ladder();
+    (chart.points[4].error, chart.points[4].failed) = (None, 10);
+    let row = "| box | tolerance 0.001: moreau at h = 1e-2 | no answer, 100 % fail | 60 µs | - | - |";
+    assert!(markdown::chart(&chart).contains(row), "{}", markdown::chart(&chart));
+    assert!(text::chart(&chart).contains("moreau at h = 1e-2: no answer"), "{}", text::chart(&chart));
+    (chart.points[4].error, chart.points[4].failed) = (Some(2e-5), 3);
+    assert!(markdown::chart(&chart).contains("| 0.00002, 30 % fail | 60 µs | 1.5 (rigid, 64 steps)"));
+}
+
+#[test]
+fn names_do_not_end_cells_of_markdown() {
+    let mut chart = ladder();
+    for point in &mut chart.points {
+        (point.family, point.work) = (ChartFamily::Cone, "a | b <i>\nc".to_owned());
+    }
+    let tables = markdown::chart(&chart);
+    assert!(tables.contains(r"| a \| b &lt;i> c | 1.0e-7 in 300 µs"), "{tables}");
+}
+
+/// No method is missing in the legend, and no two look alike.
+#[test]
+fn every_method_has_its_own_mark() {
+    let points = (0..25).map(|k| point(&format!("method {k}"), "x", Some(1e-3), 0, 1e-6)).collect();
+    let figure = svg::chart(&Chart { points, ..Chart::default() }, ChartFamily::Ladder).unwrap();
+    assert!((0..25).all(|k| figure.lines().any(|line| line == format!("method {k}"))), "{figure}");
+}
+
+/// Counts that no machine reaches, in a file that somebody wrote.
+#[test]
+fn counts_of_many_tiles_do_not_overflow() {
+    let tile = |x: f64| {
+        let (map, method) = (ChartMap::FrictionMass, "a".to_owned());
+        ChartTile { map, method, x, y: 1.0, succeeded: u64::MAX, ambiguous: 0, failed: 0 }
+    };
+    let chart = Chart { tiles: vec![tile(0.1), tile(0.2)], ..Chart::default() };
+    assert!(markdown::chart(&csv::read_chart(&csv::chart(&chart)).unwrap()).contains("| a | 100 % | 0 % | 0 % |"));
 }
 
 /// Shares of failures are told wherever there is an answer; no number is written as something else.
@@ -91,6 +150,7 @@ fn drawings_of_anything_are_sound() {
             ..Chart::default()
         },
         Chart { points: vec![point("a", "x", None, 10, 1e-6)], ..Chart::default() },
+        Chart { points: vec![point("a", "x", Some(f64::NAN), 0, f64::INFINITY)], ..Chart::default() },
         Chart {
             points: vec![point("a", "x", Some(1e-300), 0, 1e-300), point("a", "y", Some(1e300), 1, 1e300)],
             ..Chart::default()
@@ -132,9 +192,12 @@ fn any_point() -> impl Strategy<Value = ChartPoint> {
     let word = || "[ -~µ]{0,12}";
     let numbers = (proptest::option::of(number()), 0..100_u64, 0..100_u64, [number(), number(), number()]);
     (0..ChartFamily::ALL.len(), word(), word(), word(), numbers).prop_map(|(family, work, method, setting, numbers)| {
-        let (error, failed, more, mut time) = numbers;
+        let (error, failed, mut more, mut time) = numbers;
+        if error.is_none() {
+            more = 0;
+        }
         time.sort_by(f64::total_cmp);
-        let command = (more > 50).then(|| "other --program".to_owned());
+        let command = (failed > 50).then(|| "other --program".to_owned());
         ChartPoint {
             family: ChartFamily::ALL[family],
             work,
@@ -167,7 +230,8 @@ proptest! {
         points in proptest::collection::vec(any_point(), 0..6),
         tiles in proptest::collection::vec(any_tile(), 0..6),
     ) {
-        let conditions = vec![("seed".to_owned(), "1: 2".to_owned())];
+        let conditions = [("seed", "1: 2"), ("cases", "'a\\n\\\nb\r'"), ("# empty", "")];
+        let conditions = conditions.map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec();
         let chart = Chart { conditions, points, tiles, limit: None };
         prop_assert_eq!(csv::read_chart(&csv::chart(&chart)), Ok(chart));
     }

@@ -6,6 +6,7 @@ use super::super::canvas::{At, BLUE, Canvas, GREEN, INK, ORANGE, PINK, Pen, RED,
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) struct Mark {
     shape: usize,
+    colour: usize,
     is_hollow: bool,
 }
 
@@ -15,7 +16,9 @@ const SIZE: f64 = 4.6;
 impl Mark {
     /// That of method number `index`.
     pub(super) fn of(index: usize) -> Self {
-        Self { shape: index % COLOURS.len(), is_hollow: false }
+        let count = COLOURS.len();
+        // after all colours have been used, with other shapes
+        Self { shape: (index + index / count) % count, colour: index % count, is_hollow: false }
     }
 
     /// For runs some of which failed.
@@ -24,7 +27,7 @@ impl Mark {
     }
 
     pub(super) fn colour(self) -> &'static str {
-        COLOURS[self.shape]
+        COLOURS[self.colour]
     }
 
     pub(super) fn draw(self, canvas: &mut Canvas, at: At) {

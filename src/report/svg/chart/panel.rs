@@ -48,9 +48,9 @@ impl<'a> Panel<'a> {
             curves: curves.filter(|(_, points)| !points.is_empty()).collect(),
             frame,
             x: Logarithmic::around(points.iter().flat_map(|point| point.time)),
-            y: Logarithmic::around(points.iter().filter_map(|point| point.error)),
-            has_none: points.iter().any(|point| point.error.is_none()),
-            has_zero: points.iter().any(|point| point.error.is_some_and(|error| error <= 0.0)),
+            y: Logarithmic::around(points.iter().filter_map(|point| answer(point))),
+            has_none: points.iter().any(|point| answer(point).is_none()),
+            has_zero: points.iter().any(|point| answer(point).is_some_and(|error| error <= 0.0)),
         }
     }
 
@@ -71,7 +71,7 @@ impl<'a> Panel<'a> {
         self.grid(canvas);
         for (method, points) in &self.curves {
             // a curve does not lead to where there is no answer
-            for answered in points.split(|point| point.error.is_none()) {
+            for answered in points.split(|point| answer(point).is_none()) {
                 let places: Vec<At> = answered.iter().map(|point| self.place(point, point.time[1])).collect();
                 canvas.line(&places, Pen::stroke(Mark::of(*method).colour(), 1.4));
                 places.windows(2).for_each(|pair| labels.avoid(&along(pair[0], pair[1])));
@@ -94,7 +94,7 @@ impl<'a> Panel<'a> {
             for (index, point) in points.iter().enumerate() {
                 let own = share(index);
                 let is_amid = index > 0 && share(index - 1) == own && share(index + 1) == own;
-                if let (true, Some(_), Some(own), false) = (point.failed > 0, point.error, own, is_amid) {
+                if let (true, Some(_), Some(own), false) = (point.failed > 0, answer(point), own, is_amid) {
                     let at = self.place(point, point.time[1]);
                     let text = format!("{own} fail");
                     if is_new(&mut told, at, &text) {
@@ -156,7 +156,7 @@ impl<'a> Panel<'a> {
 
     fn place(&self, point: &ChartPoint, time: f64) -> At {
         let [low, high] = self.plot();
-        let y = match point.error {
+        let y = match answer(point) {
             None => low.y + 0.5 * BAND,
             Some(error) if error > 0.0 => self.down(error),
             Some(_) => high.y - 0.5 * BAND,
@@ -173,6 +173,11 @@ impl<'a> Panel<'a> {
         let [top, bottom] = self.scaled();
         bottom - self.y.map_or(0.5, |axis| axis.place(error)) * (bottom - top)
     }
+}
+
+/// The error of a point; what is no finite number is no answer.
+fn answer(point: &ChartPoint) -> Option<f64> {
+    point.error.filter(|error| error.is_finite())
 }
 
 /// Whether nothing alike is told next to it; it is from now on.
