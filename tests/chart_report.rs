@@ -167,6 +167,8 @@ fn drawings_of_anything_are_sound() {
         for point in chart.points.iter().filter(|point| point.failed > 0 && point.error.is_some()) {
             assert!(figure.contains(&format!("{} % fail", 10 * point.failed)), "{figure}");
         }
+        let is_finite = |point: &ChartPoint| point.error.is_some_and(f64::is_finite);
+        assert_eq!(figure.contains("no answer"), !chart.points.iter().all(is_finite), "{figure}");
         assert!(!html::chart(&chart).contains("<b>"));
         assert!(
             svg::chart(&chart, ChartFamily::Cone).is_none() && svg::failures(&chart, ChartMap::FrictionMass).is_none()
