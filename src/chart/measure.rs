@@ -97,7 +97,8 @@ impl<'a> Measure<'a> {
             work: work.to_owned(),
             method: method.to_owned(),
             setting: setting.to_owned(),
-            error: outcome.error,
+            // a run that blew up has none
+            error: outcome.error.filter(|error| error.is_finite()),
             failed: outcome.failed,
             of: outcome.of,
             time: time.map(|time| time / runs.max(1) as f64),
