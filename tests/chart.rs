@@ -3,6 +3,7 @@
 use partplan::answer::{Chart, ChartFamily, ChartMap, ChartPoint};
 use partplan::case::{Limits, read_scene};
 use partplan::chart::{ChartQuestion, chart};
+use partplan::model::{Scene, World};
 use std::cell::Cell;
 
 fn measured(only: &str) -> Chart {
@@ -156,6 +157,18 @@ fn scenes_are_charted() {
         let ahead = (3.0 - 0.2 * 9.81) * h * 0.1 / 2.0;
         assert!((point.error.unwrap() - ahead).abs() < 0.02 * ahead, "{point:?}");
     }
+}
+
+/// One that says how its surfaces give way is measured against the compliant model, whose choice is then right.
+#[test]
+fn compliant_scenes_are_charted() {
+    let scene = read_scene(include_bytes!("../cases/peg_drop.json"), &Limits::default()).unwrap().scene;
+    let Scene::Planar(world) = scene else { panic!("it is planar") };
+    let scenes = vec![("peg".to_owned(), Scene::Planar(World { duration: 0.2, ..world }))];
+    let chart = chart(&ChartQuestion { quick: true, scenes, ..ChartQuestion::default() }, &|_| true);
+    assert_eq!(chart.points.len(), 4 * 3 + 1);
+    let auto = of(&chart, "auto")[0];
+    assert!(auto.error.unwrap() < 1e-3 && auto.setting.contains("spk"), "{auto:?}");
 }
 
 #[test]

@@ -51,13 +51,17 @@ pub(super) fn built_in(measure: &mut Measure) {
 
 /// A scene of which no closed form is known: against a run at a much smaller step by the best model that it allows.
 pub(super) fn scene<S: Mechanics>(measure: &mut Measure, name: &str, world: &World<S>) {
-    let is_compliant = !world.materials.is_empty() && world.materials.iter().all(|one| one.compliance.is_some());
-    let model = if is_compliant { ModelKind::SongPangKumar } else { ModelKind::Moreau };
     let least = settings(measure).last().copied().unwrap_or(1e-3);
-    let finest =
-        Options { model, second_order: is_compliant, step: Some(FINER * least), frames: 2, ..Options::default() };
     let watch = measure.watch();
-    let Ok(reference) = simulate(world, &finest, &mut seldom(&watch)) else { return };
+    let finest = |model: ModelKind| {
+        let (second_order, step) = (model == ModelKind::SongPangKumar, Some(FINER * least));
+        let options = Options { model, second_order, step, frames: 2, ..Options::default() };
+        simulate(world, &options, &mut seldom(&watch)).ok()
+    };
+    // without compliance for every pair that can touch there is no compliant run
+    let compliant = finest(ModelKind::SongPangKumar);
+    let is_compliant = compliant.is_some();
+    let Some(reference) = compliant.or_else(|| finest(ModelKind::Moreau)) else { return };
     if !measure.goes_on(ChartFamily::Stepping.name()) {
         return;
     }
