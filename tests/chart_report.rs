@@ -184,7 +184,7 @@ fn tiles_show_shares_and_signs() {
     };
     let tiles = vec![tile(0.0, [4, 0, 0]), tile(0.1, [0, 4, 0]), tile(0.2, [0, 0, 4]), tile(0.5, [1, 0, 3])];
     let figure = svg::failures(&Chart { tiles, ..Chart::default() }, ChartMap::FrictionMass).unwrap();
-    for word in ["?", "×", "25 %"] {
+    for word in ["?", "×", "25 %, else ×"] {
         assert_eq!(figure.lines().filter(|line| *line == word).count(), 1, "{word} in {figure}");
     }
 }

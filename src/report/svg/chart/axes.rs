@@ -11,7 +11,7 @@ pub(super) struct Logarithmic {
 
 /// Around the numbers shown, in decades, and over their range.
 const SPARE: f64 = 0.18;
-const SPARE_SHARE: f64 = 0.07;
+const SPARE_SHARE: f64 = 0.12;
 
 /// Narrowest range, in decades.
 const LEAST: f64 = 1.0;

@@ -84,7 +84,8 @@ impl<'a> Panel<'a> {
                 let at = self.place(point, point.time[1]);
                 let mark = Mark::of(*method);
                 if point.failed > 0 { mark.hollow() } else { mark }.draw(canvas, at);
-                labels.avoid(&[at, At::new(at.x - 4.0, at.y), At::new(at.x + 4.0, at.y)]);
+                let rim = (0..7).map(|turn| at.along(At::unit(f64::from(turn) * 0.9), 4.0));
+                labels.avoid(&rim.chain([at]).collect::<Vec<_>>());
             }
         }
         // what failed is told first, so that it finds room; without an answer all failed

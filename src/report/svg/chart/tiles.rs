@@ -111,7 +111,8 @@ fn draw(page: &mut Canvas, tile: &ChartTile, at: At, [wide, high]: [f64; 2]) {
         left += width;
     }
     if tile.succeeded > 0 && tile.succeeded < of {
-        let share = percent_of(tile.succeeded, of);
+        let sign = if tile.failed >= tile.ambiguous { OUTCOMES[2].1 } else { OUTCOMES[1].1 };
+        let share = format!("{}, else {sign}", percent_of(tile.succeeded, of));
         page.text(At::new(at.x + 0.5 * wide, at.y + 0.5 * high), Align::Middle, 10.5, INK, false, &share);
     }
 }
