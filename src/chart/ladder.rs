@@ -57,7 +57,7 @@ pub(super) fn automatic<S: Mechanics, P: AsRef<[f64]>>(measure: &mut Measure, na
         if !measure.wants(&[curve.family.name(), name, curve.method]) {
             return;
         }
-        let watch = measure.watch();
+        let watch = measure.watch(curve.family.name());
         let Ok(run) = simulate(world, &options, &mut seldom(&watch)) else { continue };
         let setting = format!("tolerance {tolerance}: {} at h = {:.1e}", run.model.chosen, run.model.step);
         measure.point(curve, &setting, 1, |watch| ended(world, &options, end, watch));

@@ -50,7 +50,7 @@ impl<'a> Measure<'a> {
     }
 
     /// Whether something of these parts of an id is wanted, and there is time for it.
-    pub(super) fn wants(&mut self, parts: &[&str]) -> bool {
+    pub(super) fn wants(&self, parts: &[&str]) -> bool {
         let id = parts.join("/");
         let is_wanted = match &self.question.only {
             None => true,
@@ -60,14 +60,14 @@ impl<'a> Measure<'a> {
     }
 
     /// Whether a map, or a family, is wanted at all.
-    pub(super) fn wants_family(&mut self, family: ChartFamily) -> bool {
+    pub(super) fn wants_family(&self, family: ChartFamily) -> bool {
         self.wants(&[family.name()])
     }
 
     /// Asked on the way of long work whether to go on.
-    pub(super) fn watch(&self) -> impl Fn() -> bool + use<'a> {
+    pub(super) fn watch(&self, part: &'static str) -> impl Fn() -> bool + use<'a> {
         let (watch, done) = (self.watch, self.chart.points.len() + self.chart.tiles.len());
-        move || watch(ChartProgress { done, part: "" })
+        move || watch(ChartProgress { done, part })
     }
 
     /// A point: `run` does all of its work once, asks on the way whether to go on, and says what came of it.
@@ -82,7 +82,7 @@ impl<'a> Measure<'a> {
         if !self.wants(&[family.name(), work, method, setting]) || !self.goes_on(family.name()) {
             return;
         }
-        let watch = self.watch();
+        let watch = self.watch(family.name());
         let outcome = run(&watch);
         let enough = self.pick(ENOUGH[0], ENOUGH[1]);
         let time = quartiles(enough, || {

@@ -37,7 +37,7 @@ pub struct ChartQuestion {
 pub struct ChartProgress {
     /// Points and tiles measured.
     pub done: usize,
-    /// What is measured next; empty on the way.
+    /// What is measured.
     pub part: &'static str,
 }
 

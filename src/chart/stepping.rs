@@ -52,7 +52,7 @@ pub(super) fn built_in(measure: &mut Measure) {
 /// A scene of which no closed form is known: against a run at a much smaller step by the best model that it allows.
 pub(super) fn scene<S: Mechanics>(measure: &mut Measure, name: &str, world: &World<S>) {
     let least = settings(measure).last().copied().unwrap_or(1e-3);
-    let watch = measure.watch();
+    let watch = measure.watch(ChartFamily::Stepping.name());
     let finest = |model: ModelKind| {
         let (second_order, step) = (model == ModelKind::SongPangKumar, Some(FINER * least));
         let options = Options { model, second_order, step, frames: 2, ..Options::default() };

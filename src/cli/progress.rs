@@ -52,9 +52,6 @@ impl Bar {
 
     /// Shows which part of a chart is measured.
     pub fn show_chart(&self, progress: &ChartProgress) {
-        if progress.part.is_empty() {
-            return;
-        }
         let parts = chart::parts();
         let done = parts.iter().position(|part| *part == progress.part).unwrap_or(parts.len());
         self.set(progress.part, done, parts.len());

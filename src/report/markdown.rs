@@ -41,12 +41,17 @@ fn methods(text: &mut String, points: &[&ChartPoint]) {
 
 /// Error, time and setting of a point.
 fn shown(point: &ChartPoint) -> String {
+    format!("{} ({})", measured(point), point.setting)
+}
+
+/// Error and time of a point, and what share of its runs failed.
+pub(super) fn measured(point: &ChartPoint) -> String {
     let error = point.error.map_or_else(|| "no answer".to_owned(), |error| near(error, 2));
     let failed = match point.failed {
         0 => String::new(),
         failed => format!(", {} fail", percent_of(failed, point.of)),
     };
-    format!("{error} in {}{failed} ({})", duration(point.time[1]), point.setting)
+    format!("{error} in {}{failed}", duration(point.time[1]))
 }
 
 fn choices(text: &mut String, chart: &Chart) {

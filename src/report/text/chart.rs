@@ -1,8 +1,8 @@
 //! `plan chart` in words.
 
-use super::super::decimal::{duration, near, percent_of};
+use super::super::decimal::near;
 use super::super::ladder;
-use super::super::markdown::distinct;
+use super::super::markdown::{distinct, measured};
 use super::lines::Report;
 use crate::answer::{Chart, ChartFamily, ChartMap, ChartPoint};
 
@@ -45,8 +45,5 @@ pub fn chart(chart: &Chart) -> String {
 }
 
 fn said(point: &ChartPoint) -> String {
-    let failed =
-        if point.failed == 0 { String::new() } else { format!(", {} fail", percent_of(point.failed, point.of)) };
-    let error = near(point.error.unwrap_or(f64::NAN), 2);
-    format!("{} ({}), {error} in {}{failed}", point.method, point.setting, duration(point.time[1]))
+    format!("{} ({}), {}", point.method, point.setting, measured(point))
 }
